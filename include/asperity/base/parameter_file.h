@@ -1,0 +1,42 @@
+#ifndef asperity_base_parameter_file_h
+#define asperity_base_parameter_file_h
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace asperity
+{
+  /** One `set` of a parameter file, with the place where it stands. */
+  struct ParameterLine
+  {
+    std::vector<std::string> subsections;
+    std::string key;
+    std::string value;
+    std::string file;
+    unsigned int line = 0;
+
+    /** "Load/Pressure" */
+    std::string path() const;
+
+    /** "name.prm, line 7" */
+    std::string origin() const;
+  };
+
+  /**
+   * Reads a file in the format of dealii::ParameterHandler (`subsection`,
+   * `set`, `end`, `include`, comments after `#`, continuation by a trailing
+   * backslash) without knowing which entries exist, and keeps file and line of
+   * each, which deal.II's own parser does not. An included file is searched
+   * relative to the file that includes it. Throws InputError for what is not
+   * such a line, for an entry set twice in one file, and for files that include
+   * themselves.
+   */
+  std::vector<ParameterLine> read_parameter_lines(const std::string &file_name);
+
+  /** The same from a stream; @p name stands for the file in messages. */
+  std::vector<ParameterLine> read_parameter_lines(std::istream &input,
+                                                  const std::string &name);
+} // namespace asperity
+
+#endif
