@@ -68,6 +68,8 @@ namespace asperity
     /** Parses the text into the variable; throws InputError (half sentence). */
     std::function<void(const std::string &)> assign;
 
+    bool given = false; // by a file or by set()
+
     /** "name.prm, line 7" once an input file has given it, else empty. */
     std::string origin;
 
@@ -242,7 +244,9 @@ namespace asperity
     void apply(const std::vector<ParameterLine> &lines,
                const std::string &name);
 
-    ParameterEntry &find(const ParameterLine &line);
+    ParameterEntry &find(const std::vector<std::string> &subsections,
+                         const std::string &key,
+                         const std::string &origin);
 
     void assign(ParameterEntry &entry, const std::string &text);
 

@@ -1,0 +1,175 @@
+#include <asperity/base/errors.h>
+#include <asperity/base/parameter_file.h>
+#include <asperity/base/text.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+namespace asperity
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    class Reader
+    {
+    public:
+      std::vector<ParameterLine> lines;
+
+      /** @p includer is "file, line n" or empty for the first file. */
+      void read_file(const std::string &file_name, const std::string &includer)
+      {
+        const std::string prefix = includer.empty() ? "" : includer + ": ";
+        if (fs::is_directory(file_name))
+          throw InputError(prefix + "The parameter file '" + file_name +
+                           "' is a folder.");
+        std::ifstream input(file_name);
+        if (!input)
+          throw InputError(prefix + "The parameter file '" + file_name +
+                           "' does not exist or cannot be read.");
+        const fs::path canonical = fs::canonical(file_name);
+        for (const fs::path &open_file : open_files)
+          if (open_file == canonical)
+            throw InputError(prefix + "The file '" + file_name +
+                             "' includes itself.");
+        open_files.push_back(canonical);
+        read_stream(input, file_name);
+        open_files.pop_back();
+      }
+
+      void read_stream(std::istream &input, const std::string &name)
+      {
+        File file{name, 0, 0, {}, {}};
+        std::string line, joined;
+        while (std::getline(input, line))
+        {
+          ++file.line;
+          if (joined.empty())
+            file.first_line = file.line;
+          line               = trim(line.substr(0, line.find('#')));
+          const bool goes_on = !line.empty() && line.back() == '\\';
+          if (goes_on)
+            line.pop_back();
+          joined += line;
+          if (goes_on)
+            continue;
+          if (!trim(joined).empty())
+            interpret(trim(joined), file);
+          joined.clear();
+        }
+        if (!trim(joined).empty())
+          throw InputError(file.origin() + ": The last line ends with a '\\'.");
+        if (!file.subsections.empty())
+          throw InputError(name + ": The file ends inside of subsection '" +
+                           file.subsections.back() + "'; an 'end' is missing.");
+      }
+
+    private:
+      struct File
+      {
+        std::string name;
+        unsigned int line;
+        unsigned int first_line; // of a continued line
+        std::vector<std::string> subsections;
+        std::map<std::string, unsigned int> line_of_path;
+
+        std::string origin() const
+        {
+          return name + ", line " + std::to_string(first_line);
+        }
+      };
+
+      void interpret(const std::string &line, File &file)
+      {
+        const std::size_t blank = line.find_first_of(" \t");
+        const std::string word  = line.substr(0, blank);
+        const std::string rest =
+          blank == std::string::npos ? "" : trim(line.substr(blank));
+        if (word == "subsection" || word == "SUBSECTION")
+        {
+          if (rest.empty())
+            throw InputError(file.origin() + ": The subsection has no name.");
+          file.subsections.push_back(rest);
+        }
+        else if ((word == "end" || word == "END") && rest.empty())
+        {
+          if (file.subsections.empty())
+            throw InputError(file.origin() +
+                             ": This 'end' closes no subsection.");
+          file.subsections.pop_back();
+        }
+        else if (word == "set" || word == "SET")
+          set(rest, file);
+        else if (word == "include" || word == "INCLUDE")
+          include(rest, file);
+        else
+          throw InputError(file.origin() + ": '" + line +
+                           "' is not understood; a line is 'subsection NAME', "
+                           "'set KEY = VALUE', 'end', 'include FILE' or a "
+                           "comment after '#'.");
+      }
+
+      void set(const std::string &assignment, File &file)
+      {
+        const std::size_t equals = assignment.find('=');
+        if (equals == std::string::npos)
+          throw InputError(file.origin() + ": 'set " + assignment +
+                           "' has no '=' between entry and value.");
+        ParameterLine line;
+        line.subsections = file.subsections;
+        line.key         = trim(assignment.substr(0, equals));
+        line.value       = trim(assignment.substr(equals + 1));
+        line.file        = file.name;
+        line.line        = file.first_line;
+        const auto [position, is_new] =
+          file.line_of_path.insert({line.path(), line.line});
+        if (!is_new)
+          throw InputError(file.origin() + ": The entry '" + line.path() +
+                           "' has already been set in line " +
+                           std::to_string(position->second) + ".");
+        lines.push_back(line);
+      }
+
+      void include(const std::string &included, File &file)
+      {
+        if (!file.subsections.empty())
+          throw InputError(file.origin() +
+                           ": An 'include' must not stand inside of a "
+                           "subsection.");
+        if (included.empty())
+          throw InputError(file.origin() + ": The 'include' names no file.");
+        const fs::path path = fs::path(file.name).parent_path() / included;
+        read_file(path.lexically_normal().string(), file.origin());
+      }
+
+      std::vector<fs::path> open_files;
+    };
+  } // namespace
+
+  std::string ParameterLine::path() const
+  {
+    return join(subsections, "/") + (subsections.empty() ? "" : "/") + key;
+  }
+
+  std::string ParameterLine::origin() const
+  {
+    return file + ", line " + std::to_string(line);
+  }
+
+  std::vector<ParameterLine> read_parameter_lines(const std::string &file_name)
+  {
+    Reader reader;
+    reader.read_file(file_name, "");
+    return reader.lines;
+  }
+
+  std::vector<ParameterLine> read_parameter_lines(std::istream &input,
+                                                  const std::string &name)
+  {
+    Reader reader;
+    reader.read_stream(input, name);
+    return reader.lines;
+  }
+} // namespace asperity
