@@ -1,0 +1,442 @@
+#include <asperity/base/errors.h>
+#include <asperity/base/parameters.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+using namespace asperity;
+
+namespace
+{
+  enum class Inertia
+  {
+    none,
+    full
+  };
+
+  /** One of each kind, in nested subsections, as the rooms do it. */
+  struct Sample
+  {
+    double pressure    = 300e6;
+    double temperature = 948.15;
+    std::optional<double> step;
+    Inertia inertia                  = Inertia::none;
+    bool restart                     = false;
+    double penalty                   = 20;
+    unsigned int spans               = 120;
+    std::optional<unsigned int> rows = 11;
+    std::string title                = "a run";
+    std::vector<double> heights      = {1e-6, 2.5e-6};
+    double density                   = 7850;
+    std::string height_map;
+
+    void declare(ParameterDeclarator &p)
+    {
+      p.text("Title", title, "What the run is called.");
+      {
+        const auto load = p.subsection("Load");
+        p.quantity("Pressure", pressure, "MPa", Range::positive(), "Load p.");
+        p.quantity("Temperature",
+                   temperature,
+                   "degC",
+                   Range::positive(),
+                   "Initial temperature of the chip.");
+        p.quantity(
+          "Time step", step, "us", Range::positive(), "Length of a step.");
+        p.choice("Inertia",
+                 inertia,
+                 {{"quasi-static", Inertia::none}, {"dynamic", Inertia::full}},
+                 "Whether mass resists.");
+        p.flag("Restart", restart, "Continue from the last checkpoint.");
+      }
+      const auto mesh = p.subsection("Mesh");
+      p.integer("Spans", spans, Range::at_least(2), "Knot spans along x.");
+      p.integer("Rows", rows, Range::at_least(1), "Rows in depth.");
+      p.list(
+        "Heights", heights, "um", Range::non_negative(), "Breakpoints in y.");
+      const auto contact = p.subsection("Contact");
+      p.number("Penalty",
+               penalty,
+               Range::between(0.1, 1000),
+               "Dimensionless penalty c in c E/h.");
+    }
+
+    void declare_mandatory(ParameterDeclarator &p)
+    {
+      const auto chip = p.subsection("Chip");
+      p.quantity("Density",
+                 density,
+                 "kg/m3",
+                 Range::positive(),
+                 "Mass density.",
+                 Need::mandatory);
+      p.file("Height map",
+             height_map,
+             "The measured surface.",
+             Need::mandatory);
+    }
+  };
+
+  struct Declared
+  {
+    dealii::ParameterHandler handler;
+    ParameterDeclarator parameters{handler};
+    Sample sample;
+
+    explicit Declared(const bool mandatory = false)
+    {
+      sample.declare(parameters);
+      if (mandatory)
+        sample.declare_mandatory(parameters);
+    }
+
+    std::string message_of(const std::string &text)
+    {
+      try
+      {
+        parameters.read_text(text, "x.prm");
+      }
+      catch (const InputError &error)
+      {
+        return error.what();
+      }
+      return "no error";
+    }
+  };
+
+  class ParameterFiles : public testing::Test
+  {
+  protected:
+    void SetUp() override
+    {
+      std::filesystem::create_directories(folder / "sub");
+    }
+
+    void TearDown() override
+    {
+      std::filesystem::remove_all(folder);
+    }
+
+    std::string write(const std::string &name, const std::string &text)
+    {
+      std::ofstream(folder / name) << text;
+      return (folder / name).string();
+    }
+
+    std::string message_of(const std::string &file)
+    {
+      Declared declared;
+      try
+      {
+        declared.parameters.read_file(file);
+      }
+      catch (const InputError &error)
+      {
+        return error.what();
+      }
+      return "no error";
+    }
+
+    // a folder for each test, as ctest runs them at the same time
+    const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() /
+      (std::string("asperity_parameters_") +
+       testing::UnitTest::GetInstance()->current_test_info()->name());
+  };
+} // namespace
+
+TEST(Parameters, defaults_are_the_values_of_the_struct)
+{
+  const Declared declared;
+  const Sample fresh;
+  EXPECT_EQ(declared.sample.pressure, fresh.pressure);
+  EXPECT_EQ(declared.sample.temperature, fresh.temperature);
+  EXPECT_FALSE(declared.sample.step);
+  EXPECT_EQ(declared.sample.rows, fresh.rows);
+  EXPECT_EQ(declared.sample.heights, fresh.heights);
+  EXPECT_EQ(declared.parameters.get("Load/Pressure"), "300 MPa");
+  EXPECT_EQ(declared.parameters.get("Load/Temperature"), "675 degC");
+  EXPECT_EQ(declared.parameters.get("Load/Time step"), "automatic");
+  EXPECT_EQ(declared.parameters.get("Load/Inertia"), "quasi-static");
+  EXPECT_EQ(declared.parameters.get("Mesh/Heights"), "1 um, 2.5 um");
+}
+
+TEST(Parameters, values_with_units_reach_their_variables)
+{
+  Declared declared;
+  declared.parameters.read_text("set Title = wire, cut # comment\n"
+                                "subsection Load\n"
+                                "  set Pressure = 1.3 GPa\n"
+                                "  set Time step = 0.25 ns\n"
+                                "  set Inertia = dynamic\n"
+                                "  set Restart = true\n"
+                                "end\n"
+                                "subsection Mesh\n"
+                                "  set Spans = 1e2\n"
+                                "  set Rows = automatic\n"
+                                "  set Heights = 1, \\\n"
+                                "    200 nm, 3 mm\n"
+                                "  subsection Contact\n"
+                                "    set Penalty = 12.5\n"
+                                "  end\n"
+                                "end\n",
+                                "x.prm");
+  EXPECT_EQ(declared.sample.title, "wire, cut");
+  EXPECT_EQ(declared.sample.pressure, 1.3e9);
+  EXPECT_EQ(declared.sample.step.value(), 2.5e-10);
+  EXPECT_EQ(declared.sample.inertia, Inertia::full);
+  EXPECT_TRUE(declared.sample.restart);
+  EXPECT_EQ(declared.sample.spans, 100u);
+  EXPECT_FALSE(declared.sample.rows);
+  EXPECT_EQ(declared.sample.heights, (std::vector<double>{1e-3, 2e-7, 3e-3}));
+  EXPECT_EQ(declared.sample.penalty, 12.5);
+}
+
+TEST(Parameters, misspelt_entry_is_refused_with_the_nearest_name)
+{
+  EXPECT_EQ(Declared().message_of("subsection Load\n set Presure = 1 MPa\nend"),
+            "x.prm, line 2: There is no entry 'Presure' in subsection 'Load'; "
+            "did you mean 'Pressure' in subsection 'Load'?");
+}
+
+TEST(Parameters, entry_in_the_wrong_subsection_is_refused_with_the_right_one)
+{
+  EXPECT_EQ(Declared().message_of("\nset Penalty = 3\n"),
+            "x.prm, line 2: There is no entry 'Penalty' at the top level; did "
+            "you mean 'Penalty' in subsection 'Mesh/Contact'?");
+  EXPECT_EQ(Declared().message_of("subsection Lod\n set Pressure = 1 MPa\nend"),
+            "x.prm, line 2: There is no entry 'Pressure' in subsection 'Lod'; "
+            "did you mean 'Pressure' in subsection 'Load'?");
+}
+
+TEST(Parameters, entry_without_a_similar_name_points_to_the_reference)
+{
+  EXPECT_EQ(Declared().message_of("set Wavelength of light = 3 nm"),
+            "x.prm, line 1: There is no entry 'Wavelength of light' at the top "
+            "level; 'asperity parameters' lists all entries.");
+}
+
+TEST(Parameters, wrong_dimension_lists_the_units_accepted)
+{
+  EXPECT_EQ(
+    Declared().message_of("subsection Load\nset Pressure = 3 um\nend"),
+    "x.prm, line 2, entry 'Load/Pressure': '3 um' is a length; a stress "
+    "is expected, in one of the units Pa, kPa, MPa, GPa, bar, N/m2, "
+    "N/mm2.");
+}
+
+TEST(Parameters, value_out_of_range_tells_the_range)
+{
+  EXPECT_EQ(Declared().message_of("subsection Load\nset Pressure=-1 GPa\nend"),
+            "x.prm, line 2, entry 'Load/Pressure': '-1 GPa' is out of range; "
+            "more than 0 MPa is expected.");
+  EXPECT_EQ(Declared().message_of("subsection Mesh\nsubsection Contact\n"
+                                  "set Penalty = 2000\nend\nend"),
+            "x.prm, line 3, entry 'Mesh/Contact/Penalty': '2000' is out of "
+            "range; 0.1 to 1000 is expected.");
+}
+
+TEST(Parameters, integers_flags_and_choices_say_what_they_expect)
+{
+  EXPECT_EQ(Declared().message_of("subsection Mesh\nset Spans = 2.5\nend"),
+            "x.prm, line 2, entry 'Mesh/Spans': '2.5' is not a whole number; a "
+            "whole number, at least 2 is expected.");
+  EXPECT_EQ(Declared().message_of("subsection Mesh\nset Rows = 0\nend"),
+            "x.prm, line 2, entry 'Mesh/Rows': '0' is out of range; a whole "
+            "number, at least 1 is expected, or the word 'automatic'.");
+  EXPECT_EQ(Declared().message_of("subsection Load\nset Restart = yes\nend"),
+            "x.prm, line 2, entry 'Load/Restart': 'yes' is neither 'true' nor "
+            "'false'.");
+  EXPECT_EQ(Declared().message_of("subsection Load\nset Inertia = some\nend"),
+            "x.prm, line 2, entry 'Load/Inertia': 'some' is not a choice; one "
+            "of quasi-static, dynamic is expected.");
+}
+
+TEST(Parameters, all_missing_mandatory_entries_are_named_at_once)
+{
+  EXPECT_EQ(Declared(true).message_of(""),
+            "x.prm: The mandatory entries 'Chip/Density' (density), "
+            "'Chip/Height map' (file) are missing.");
+  EXPECT_EQ(Declared(true).message_of(
+              "subsection Chip\nset Height map = nowhere.x3p\nend"),
+            "x.prm, line 2, entry 'Chip/Height map': the file 'nowhere.x3p' "
+            "does not exist or cannot be read.");
+}
+
+TEST(Parameters, broken_structure_is_refused_with_its_line)
+{
+  EXPECT_EQ(Declared().message_of("subsection Load\n"),
+            "x.prm: The file ends inside of subsection 'Load'; an 'end' is "
+            "missing.");
+  EXPECT_EQ(Declared().message_of("end\n"),
+            "x.prm, line 1: This 'end' closes no subsection.");
+  EXPECT_EQ(Declared().message_of("\nset Title wire\n"),
+            "x.prm, line 2: 'set Title wire' has no '=' between entry and "
+            "value.");
+  EXPECT_EQ(Declared().message_of("Title = wire"),
+            "x.prm, line 1: 'Title = wire' is not understood; a line is "
+            "'subsection NAME', 'set KEY = VALUE', 'end', 'include FILE' or a "
+            "comment after '#'.");
+  EXPECT_EQ(Declared().message_of("set Title = a\nset Title = b\n"),
+            "x.prm, line 2: The entry 'Title' has already been set in line 1.");
+}
+
+TEST(Parameters, relations_between_entries_can_name_their_place)
+{
+  Declared declared;
+  declared.parameters.read_text("\nset Title = x\n", "x.prm");
+  EXPECT_EQ(declared.parameters.where("Title"), "x.prm, line 2, entry 'Title'");
+  EXPECT_EQ(declared.parameters.where("Mesh/Rows"), "entry 'Mesh/Rows'");
+}
+
+TEST(Parameters, an_entry_is_set_by_its_path)
+{
+  Declared declared;
+  declared.parameters.set("Load/Pressure", "2 GPa");
+  EXPECT_EQ(declared.sample.pressure, 2e9);
+  EXPECT_THROW(declared.parameters.set("Load/Presure", "2 GPa"), InputError);
+  EXPECT_THROW(declared.parameters.set("", "2 GPa"), InputError);
+}
+
+TEST(Parameters, a_wrong_default_or_a_second_declaration_is_a_programming_error)
+{
+  dealii::ParameterHandler handler;
+  ParameterDeclarator parameters(handler);
+  double negative = -1, positive = 1;
+  EXPECT_THROW(parameters.number("a", negative, Range::positive(), "A."),
+               std::logic_error);
+  parameters.number("b", positive, Range::positive(), "B.");
+  EXPECT_THROW(parameters.number("b", positive, Range::positive(), "B."),
+               std::logic_error);
+}
+
+TEST(Parameters, the_written_file_read_again_gives_the_same_values)
+{
+  Declared first;
+  first.parameters.read_text("subsection Load\n set Pressure = 0.7 N/mm2\n"
+                             " set Temperature = 71.3 degF\n"
+                             " set Inertia = dynamic\nend\n"
+                             "subsection Mesh\n set Rows = automatic\nend\n",
+                             "x.prm");
+  std::ostringstream written;
+  first.parameters.write_prm(written);
+  EXPECT_NE(written.str().find("set Pressure = 0.7 N/mm2"), std::string::npos)
+    << "values are written as they were given";
+
+  Declared second;
+  second.parameters.read_text(written.str(), "parameters.prm");
+  EXPECT_EQ(second.sample.title, first.sample.title);
+  EXPECT_EQ(second.sample.pressure, first.sample.pressure);
+  EXPECT_EQ(second.sample.temperature, first.sample.temperature);
+  EXPECT_EQ(second.sample.inertia, first.sample.inertia);
+  EXPECT_EQ(second.sample.rows, first.sample.rows);
+  EXPECT_EQ(second.sample.heights, first.sample.heights);
+  EXPECT_EQ(second.sample.penalty, first.sample.penalty);
+  std::ostringstream again;
+  second.parameters.write_prm(again);
+  EXPECT_EQ(again.str(), written.str());
+}
+
+TEST(Parameters, the_written_file_is_one_that_deal_ii_reads)
+{
+  Declared declared;
+  std::ostringstream written;
+  declared.parameters.write_prm(written);
+  dealii::ParameterHandler handler;
+  Sample sample;
+  ParameterDeclarator parameters(handler);
+  sample.declare(parameters);
+  handler.parse_input_from_string(written.str());
+  EXPECT_EQ(handler.get({"Mesh", "Contact"}, "Penalty"), "20");
+}
+
+TEST(Parameters, the_reference_holds_default_range_and_meaning)
+{
+  Declared declared(true);
+  std::ostringstream out;
+  declared.parameters.write_markdown(out);
+  const std::string reference = out.str();
+  for (const std::string line :
+       {"## Mesh/Contact\n",
+        "| Pressure | `300 MPa` | stress: more than 0 MPa | Load p. |\n",
+        "| Penalty | `20` | number: 0.1 to 1000 | Dimensionless penalty c in c "
+        "E/h. |\n",
+        "| Inertia | `quasi-static` | choice: quasi-static, dynamic | Whether "
+        "mass resists. |\n",
+        "| Density | **mandatory** | density: more than 0 kg/m3 | Mass "
+        "density. |\n"})
+    EXPECT_NE(reference.find(line), std::string::npos) << line << reference;
+}
+
+TEST_F(ParameterFiles, included_files_are_relative_and_later_lines_override)
+{
+  write("sub/common.prm",
+        "include materials.prm\nsubsection Load\n set Pressure = 2 MPa\nend\n");
+  write("sub/materials.prm", "set Title = steel\n");
+  const std::string file =
+    write("main.prm",
+          "include sub/common.prm\nsubsection Load\n set Pressure = 7 MPa\n"
+          "end\n");
+  Declared declared;
+  declared.parameters.read_file(file);
+  EXPECT_EQ(declared.sample.title, "steel");
+  EXPECT_EQ(declared.sample.pressure, 7e6);
+}
+
+TEST_F(ParameterFiles, an_error_names_the_included_file)
+{
+  const std::string inner = write("sub/common.prm", "\n\nset Titel = x\n");
+  const std::string file  = write("main.prm", "include sub/common.prm\n");
+  EXPECT_EQ(message_of(file),
+            inner +
+              ", line 3: There is no entry 'Titel' at the top level; did "
+              "you mean 'Title' at the top level?");
+}
+
+TEST_F(ParameterFiles, a_file_that_includes_itself_is_refused)
+{
+  write("sub/b.prm", "include ../a.prm\n");
+  const std::string file    = write("a.prm", "include sub/b.prm\n");
+  const std::string message = message_of(file);
+  EXPECT_EQ(message,
+            (folder / "sub/b.prm").string() + ", line 1: The file '" + file +
+              "' includes itself.");
+}
+
+TEST_F(ParameterFiles, missing_files_and_folders_are_named)
+{
+  const std::string missing = (folder / "none.prm").string();
+  EXPECT_EQ(message_of(missing),
+            "The parameter file '" + missing +
+              "' does not exist or cannot be read.");
+  EXPECT_EQ(message_of(folder.string()),
+            "The parameter file '" + folder.string() + "' is a folder.");
+  const std::string file = write("main.prm", "\ninclude none.prm\n");
+  EXPECT_EQ(message_of(file),
+            file + ", line 2: The parameter file '" + missing +
+              "' does not exist or cannot be read.");
+}
+
+TEST_F(ParameterFiles, input_files_are_relative_to_the_file_that_names_them)
+{
+  const std::string map  = write("sub/scan.csv", "1,2\n");
+  const std::string file = write("sub/main.prm",
+                                 "subsection Chip\n set Density = 1 g/cm3\n"
+                                 " set Height map = scan.csv\nend\n");
+  Declared declared(true);
+  declared.parameters.read_file(file);
+  EXPECT_TRUE(std::filesystem::equivalent(declared.sample.height_map, map));
+
+  // the complete file is written elsewhere and must still find it
+  std::ostringstream written;
+  declared.parameters.write_prm(written);
+  Declared again(true);
+  again.parameters.read_file(write("parameters.prm", written.str()));
+  EXPECT_TRUE(std::filesystem::equivalent(again.sample.height_map, map));
+}

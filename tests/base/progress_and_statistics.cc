@@ -1,0 +1,114 @@
+#include <asperity/base/progress.h>
+#include <asperity/base/statistics.h>
+#include <asperity/base/text.h>
+#include <asperity/base/version.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <sstream>
+
+using namespace asperity;
+
+TEST(Progress, a_log_stays_short_and_always_has_the_last_step)
+{
+  std::ostringstream out;
+  {
+    ProgressLine progress(out, ProgressLine::Mode::log);
+    for (unsigned int step = 1; step <= 1000; ++step)
+      progress.update_step(step, 1000, "mu = 0.21");
+  }
+  const std::string text = out.str();
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2) << text;
+  EXPECT_EQ(text.find("step 1/1000  mu = 0.21  ("), 0u) << text;
+  EXPECT_NE(text.find("\nstep 1000/1000  mu = 0.21  ("), std::string::npos);
+  EXPECT_EQ(text.find('\r'), std::string::npos);
+}
+
+TEST(Progress, a_terminal_line_is_rewritten_in_place)
+{
+  std::ostringstream out;
+  {
+    ProgressLine progress(out, ProgressLine::Mode::terminal);
+    progress.update(0.5, "half");
+    progress.note("The step was cut.");
+    progress.update(1., "all");
+  }
+  const std::string text = out.str();
+  EXPECT_EQ(text.substr(0, 6), "\rhalf ");
+  EXPECT_NE(text.find("left)\nThe step was cut.\n\rall"), std::string::npos)
+    << text;
+  EXPECT_EQ(text.back(), '\n');
+}
+
+TEST(Progress, a_silent_line_prints_nothing)
+{
+  std::ostringstream out;
+  ProgressLine progress(out, ProgressLine::Mode::silent);
+  progress.update(1., "all");
+  progress.note("nothing");
+  EXPECT_TRUE(out.str().empty());
+}
+
+TEST(Progress, durations_are_written_for_people)
+{
+  EXPECT_EQ(format_duration(0.04), "0.0 s");
+  EXPECT_EQ(format_duration(7.26), "7.3 s");
+  EXPECT_EQ(format_duration(9.96), "10 s");
+  EXPECT_EQ(format_duration(200.4), "3 min 20 s");
+  EXPECT_EQ(format_duration(7500), "2 h 5 min");
+}
+
+TEST(Statistics, times_and_counts_add_up_in_order_of_first_use)
+{
+  Statistics statistics;
+  statistics.add_seconds("solve", 1.5);
+  {
+    const auto timing = statistics.time("assemble");
+  }
+  statistics.add_seconds("solve", 0.5);
+  statistics.count("Newton iterations", 4);
+  statistics.count("Newton iterations");
+
+  EXPECT_EQ(statistics.seconds("solve"), 2.);
+  EXPECT_GE(statistics.seconds("assemble"), 0.);
+  EXPECT_EQ(statistics.seconds("output"), 0.);
+  EXPECT_EQ(statistics.count_of("Newton iterations"), 5u);
+  EXPECT_EQ(statistics.count_of("factorisations"), 0u);
+
+  const nlohmann::ordered_json json = statistics.to_json();
+  EXPECT_EQ(json["seconds"]["solve"], 2.);
+  EXPECT_EQ(json["calls"]["solve"], 2);
+  EXPECT_EQ(json["calls"]["assemble"], 1);
+  EXPECT_EQ(json["counts"]["Newton iterations"], 5);
+  EXPECT_EQ(json["seconds"].begin().key(), "solve");
+  EXPECT_NE(statistics.table(4.).find("   50 %        2 x\n"),
+            std::string::npos)
+    << statistics.table(4.);
+}
+
+TEST(Text, edit_distance_counts_elementary_edits)
+{
+  EXPECT_EQ(edit_distance("", ""), 0u);
+  EXPECT_EQ(edit_distance("Pressure", "pressure"), 0u);
+  EXPECT_EQ(edit_distance("kitten", "sitting"), 3u);
+  EXPECT_EQ(edit_distance("Titel", "Title"), 1u); // a swap
+  EXPECT_EQ(edit_distance("", "abc"), 3u);
+}
+
+TEST(Text, split_and_join_are_inverse)
+{
+  const std::vector<std::string> parts = {"a b", "", "c"};
+  EXPECT_EQ(split("a b,, c ", ','), parts);
+  EXPECT_EQ(join(parts, ","), "a b,,c");
+  EXPECT_TRUE(split("  ", ',').empty());
+}
+
+TEST(Version, names_the_program_and_its_libraries)
+{
+  EXPECT_EQ(version_line().find("asperity " + version() + " ("), 0u);
+  const nlohmann::ordered_json json = version_json();
+  for (const char *const key : {"git_revision", "build_type", "deal.II"})
+    EXPECT_FALSE(json[key].get<std::string>().empty()) << key;
+}
