@@ -1,0 +1,109 @@
+#ifndef asperity_postprocess_vtu_patches_h
+#define asperity_postprocess_vtu_patches_h
+
+#include <asperity/base/errors.h>
+
+#include <deal.II/base/data_out_base.h>
+
+#include <cmath>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace asperity
+{
+  namespace internal
+  {
+    /**
+     * The rows of a deal.II patch and their names: fields first, vectors as two
+     * rows, at the end the two coordinates (which deal.II reads as such if
+     * points_are_available).
+     */
+    class PatchRows
+    {
+    public:
+      void add_scalar(const std::string &name)
+      {
+        names.push_back(name);
+        row_fields.push_back(name);
+      }
+
+      void add_vector(const std::string &name)
+      {
+        using namespace dealii::DataComponentInterpretation;
+        ranges.emplace_back(names.size(),
+                            names.size() + 1,
+                            name,
+                            component_is_part_of_vector);
+        for (unsigned int c = 0; c < 2; ++c)
+        {
+          names.push_back(name + " " + "xy"[c]);
+          row_fields.push_back(name);
+        }
+      }
+
+      unsigned int n_fields() const
+      {
+        return names.size();
+      }
+
+      /** A patch for these rows with n_points values each. */
+      template <int dim>
+      dealii::DataOutBase::Patch<dim, 2> make_patch(
+        const unsigned int n_subdivisions, const unsigned int n_points) const
+      {
+        dealii::DataOutBase::Patch<dim, 2> patch;
+        patch.n_subdivisions       = n_subdivisions;
+        patch.points_are_available = true;
+        patch.reference_cell = dealii::ReferenceCells::get_hypercube<dim>();
+        patch.data.reinit(n_fields() + 2, n_points);
+        return patch;
+      }
+
+      /** VTU holds single precision, so that is where numbers must be finite.
+       */
+      template <int dim>
+      void require_finite(const dealii::DataOutBase::Patch<dim, 2> &patch) const
+      {
+        for (unsigned int row = 0; row < patch.data.n_rows(); ++row)
+          for (unsigned int i = 0; i < patch.data.n_cols(); ++i)
+            if (!std::isfinite(static_cast<float>(patch.data(row, i))))
+              throw ComputationError(
+                "The field '" +
+                (row < n_fields() ? row_fields[row] : "position [m]") +
+                "' holds a number that is not finite; no picture was "
+                "written.");
+      }
+
+      template <int dim>
+      void write(const std::vector<dealii::DataOutBase::Patch<dim, 2>> &patches,
+                 const double time,
+                 const unsigned int step,
+                 std::ostream &out) const
+      {
+        for (const auto &patch : patches)
+          require_finite(patch);
+        dealii::DataOutBase::VtkFlags flags;
+        flags.time  = time;
+        flags.cycle = step;
+        // Equal states give equal files.
+        flags.print_date_and_time = false;
+        flags.compression_level   = dealii::DataOutBase::VtkFlags::best_speed;
+        dealii::DataOutBase::write_vtu(patches, names, ranges, flags, out);
+      }
+
+    private:
+      std::vector<std::string> names;
+      /** The field of each row, for messages. */
+      std::vector<std::string> row_fields;
+      std::vector<std::tuple<
+        unsigned int,
+        unsigned int,
+        std::string,
+        dealii::DataComponentInterpretation::DataComponentInterpretation>>
+        ranges;
+    };
+  } // namespace internal
+} // namespace asperity
+
+#endif
