@@ -1,0 +1,97 @@
+#ifndef asperity_constitutive_johnson_cook_h
+#define asperity_constitutive_johnson_cook_h
+
+#include <asperity/constitutive/flow_stress.h>
+
+namespace asperity
+{
+  /**
+   * The constants of the Johnson-Cook flow stress. The defaults are the steel
+   * of table 1 of section 2.3 of the dissertation this program follows.
+   */
+  struct JohnsonCookParameters
+  {
+    double A                      = 288e6;   ///< initial flow stress [Pa]
+    double B                      = 695e6;   ///< hardening [Pa]
+    double n                      = 0.2835;  ///< hardening exponent
+    double C                      = 0.034;   ///< rate sensitivity
+    double reference_rate         = 0.004;   ///< epsdot_0 [1/s]
+    double m                      = 1.3558;  ///< thermal exponent
+    double transition_temperature = 293.15;  ///< softening starts here [K]
+    double melting_temperature    = 1773.15; ///< softening ends here [K]
+  };
+
+  /**
+   * The flow stress of G. R. Johnson and W. H. Cook (Proc. 7th Int. Symp. on
+   * Ballistics, 1983, 541):
+   *   sigma = (A + B eps^n) (1 + C ln max(1, epsdot/epsdot_0)) (1 - T*^m),
+   *   T* = (T - T_transition)/(T_melt - T_transition), clamped to [0, 1].
+   *
+   * Departures from the paper: below the reference rate the rate factor is 1
+   * (the logarithm would be negative and the stress at rest -infinity), and the
+   * thermal factor does not fall below thermal_floor, so that a molten point
+   * keeps a positive flow stress and a regular tangent.
+   */
+  class JohnsonCook
+  {
+  public:
+    /** The smallest thermal factor. */
+    static constexpr double thermal_floor = 1e-3;
+
+    /** @throws InputError if a constant has no physical meaning */
+    explicit JohnsonCook(const JohnsonCookParameters &parameters);
+
+    /**
+     * A + B eps^n [Pa]. The slope is infinite at 0 if n < 1; negative strain
+     * (round-off) counts as 0.
+     */
+    ValueAndSlope hardening(const double plastic_strain) const;
+
+    /** 1 + C ln max(1, rate/reference_rate), rate in 1/s. */
+    ValueAndSlope rate_factor(const double rate) const;
+
+    /** max(thermal_floor, 1 - T*^m), temperature in K. */
+    ValueAndSlope thermal_factor(const double temperature) const;
+
+    /** The flow stress at rest [Pa]. */
+    double static_value(const double plastic_strain,
+                        const double temperature) const;
+
+    /** The flow stress and its derivatives. */
+    FlowStressValue evaluate(const double plastic_strain,
+                             const double rate,
+                             const double temperature) const;
+
+  private:
+    JohnsonCookParameters parameters;
+    double inverse_temperature_range;
+  };
+
+
+
+  // The functions below are inline since the return map calls them a few
+  // times for each quadrature point.
+
+  inline double JohnsonCook::static_value(const double plastic_strain,
+                                          const double temperature) const
+  {
+    return hardening(plastic_strain).value * thermal_factor(temperature).value;
+  }
+
+
+
+  inline FlowStressValue JohnsonCook::evaluate(const double plastic_strain,
+                                               const double rate,
+                                               const double temperature) const
+  {
+    const ValueAndSlope h = hardening(plastic_strain);
+    const ValueAndSlope r = rate_factor(rate);
+    const ValueAndSlope t = thermal_factor(temperature);
+    return {h.value * r.value * t.value,
+            h.slope * r.value * t.value,
+            h.value * r.slope * t.value,
+            h.value * r.value * t.slope};
+  }
+} // namespace asperity
+
+#endif
