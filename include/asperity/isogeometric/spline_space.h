@@ -1,14 +1,13 @@
 #ifndef asperity_isogeometric_spline_space_h
 #define asperity_isogeometric_spline_space_h
 
+#include <asperity/isogeometric/basis_table.h>
+#include <asperity/isogeometric/spline_hierarchy.h>
 #include <asperity/splines/knot_vector.h>
 
 #include <deal.II/base/point.h>
-#include <deal.II/base/quadrature.h>
-#include <deal.II/base/smartpointer.h>
-
+#include <deal.II/base/tensor.h>
 #include <deal.II/grid/tria.h>
-
 #include <deal.II/lac/full_matrix.h>
 
 #include <functional>
@@ -17,15 +16,6 @@
 
 namespace asperity
 {
-  /** The edges of the parameter rectangle; deal.II's boundary ids. */
-  enum class Edge : unsigned int
-  {
-    left   = 0, ///< first parameter minimal
-    right  = 1,
-    bottom = 2, ///< second parameter minimal
-    top    = 3
-  };
-
   /**
    * The truncated hierarchical B-spline space (THB; Giannelli, Juettler,
    * Speleers, CAGD 29 (2012) 485-498) on a deal.II triangulation of the
@@ -47,85 +37,85 @@ namespace asperity
     /** Level-0 knot vectors; both have the same degree; x may be periodic. */
     SplineSpace(const KnotVector &knots_x, const KnotVector &knots_y);
 
-    unsigned int
-    degree() const;
+    unsigned int degree() const;
 
-    bool
-    periodic_x() const;
+    bool periodic_x() const;
 
-    unsigned int
-    n_functions() const;
+    unsigned int n_functions() const;
 
-    unsigned int
-    n_cells() const;
+    unsigned int n_cells() const;
 
     /** Parameter domain [x0,x1] x [y0,y1] as a mesh. Boundary ids as Edge. */
-    const dealii::Triangulation<2> &
-    triangulation() const;
+    const dealii::Triangulation<2> &triangulation() const;
 
     /** Set refine/coarsen flags here, then call execute_refinement(). */
-    dealii::Triangulation<2> &
-    triangulation();
+    dealii::Triangulation<2> &triangulation();
 
     /**
-     * The deal.II flags are carried out (after adding the cells that keep
-     * neighbouring levels within one, across the period, too) and the functions
-     * rebuilt.
+     * Carries out the deal.II flags and rebuilds the functions. First the flags
+     * are graded, so that the functions of a cell stem from at most two
+     * successive levels: with a cell of level l, all level-l cells within
+     * `degree` spans of it (across the period, too) must exist. Cells are
+     * flagged for refinement and coarsening is refused as this needs.
+     * (A. Buffa, C. Giannelli, M3AS 26 (2016) 1-25, algorithm REFINE, m = 2.)
      */
-    void
-    execute_refinement();
+    void execute_refinement();
 
     /** Refines until every cell for which `wanted(lower left, upper right)` (in
      *  parameters) holds has at least this level. */
-    void
-    refine_to_level(
+    void refine_to_level(
       const unsigned int level,
-      const std::function<bool(const dealii::Point<2> &, const dealii::Point<2> &)>
-        &wanted);
+      const std::function<bool(const dealii::Point<2> &,
+                               const dealii::Point<2> &)> &wanted);
+
+    /** Refines and coarsens until the cells are those of `target`, which has
+     *  the same level-0 knots (their numbers may differ). */
+    void refine_like(const SplineHierarchy &target);
+
+    /** The functions as an immutable value; keep the pointer to remember the
+     *  space before a refinement. */
+    std::shared_ptr<const SplineHierarchy> hierarchy() const;
 
     /** Functions that do not vanish on a cell. */
-    const std::vector<unsigned int> &
-    cell_functions(const unsigned int cell) const;
+    const std::vector<unsigned int> &cell_functions(
+      const unsigned int cell) const;
 
     /** Rows as cell_functions(cell); columns are the (degree+1)^2 Bernstein
      *  polynomials of the cell, x fastest. */
-    const dealii::FullMatrix<double> &
-    cell_extraction(const unsigned int cell) const;
+    const dealii::FullMatrix<double> &cell_extraction(
+      const unsigned int cell) const;
 
     /** Lower left and upper right corner of a cell, in parameters. */
-    std::pair<dealii::Point<2>, dealii::Point<2>>
-    cell_box(const unsigned int cell) const;
+    std::pair<dealii::Point<2>, dealii::Point<2>> cell_box(
+      const unsigned int cell) const;
 
     /** The cell that holds a parameter (wrapped in x if periodic). */
-    unsigned int
-    find_cell(const dealii::Point<2> &parameter) const;
+    unsigned int find_cell(const dealii::Point<2> &parameter) const;
 
     /** Cells with a face on the edge, sorted along it. */
-    std::vector<unsigned int>
-    edge_cells(const Edge edge) const;
+    std::vector<unsigned int> edge_cells(const Edge edge) const;
 
     /** Functions whose trace on the edge does not vanish, sorted by index. */
-    std::vector<unsigned int>
-    edge_functions(const Edge edge) const;
+    std::vector<unsigned int> edge_functions(const Edge edge) const;
 
     /** Values (and parametric gradients) of cell_functions(cell) at a
      *  parameter point. */
-    void
-    evaluate(const unsigned int                    cell,
-             const dealii::Point<2>               &parameter,
-             std::vector<double>                  &values,
-             std::vector<dealii::Tensor<1, 2>>    *gradients = nullptr) const;
+    void evaluate(const unsigned int cell,
+                  const dealii::Point<2> &parameter,
+                  std::vector<double> &values,
+                  std::vector<dealii::Tensor<1, 2>> *gradients = nullptr) const;
 
     /**
      * Coefficients of the L2 projection (in parameters) of n_components
      * functions, with `edge_weight` times the edge length scale added as an L2
-     * term on all four edges, so that edges are met more closely than the inside.
+     * term on all edges (on bottom and top if periodic), so that edges are met
+     * more closely than the inside.
      * @return [component][function]
      */
-    std::vector<std::vector<double>>
-    project(const std::function<std::vector<double>(const dealii::Point<2> &)> &f,
-            const unsigned int n_components,
-            const double       edge_weight = 10.) const;
+    std::vector<std::vector<double>> project(
+      const std::function<std::vector<double>(const dealii::Point<2> &)> &f,
+      const unsigned int n_components,
+      const double edge_weight = 10.) const;
 
     ~SplineSpace();
 
@@ -133,64 +123,6 @@ namespace asperity
     struct Implementation;
     std::unique_ptr<Implementation> implementation;
   };
-
-  /**
-   * Everything that an integral over cells or over an edge needs, tabulated
-   * once for a fixed reference geometry: a total Lagrangian assembly never
-   * evaluates a basis function again.
-   */
-  struct BasisTable
-  {
-    /** One integration cell (or edge of a cell). */
-    struct Element
-    {
-      unsigned int              cell = 0;
-      std::vector<unsigned int> functions;
-      unsigned int              first_point = 0; ///< into the point arrays below
-
-      /** [q * functions.size() + a] */
-      std::vector<double> values;
-      /** Gradient with respect to the reference position X [1/m], same
-       *  layout. On an edge table: derivative along the edge with respect to
-       *  reference arc length in component 0, along the reference outward normal in 1. */
-      std::vector<dealii::Tensor<1, 2>> gradients;
-    };
-
-    unsigned int          points_per_element = 0;
-    std::vector<Element>  elements;
-    std::vector<double>   JxW;               ///< per point, reference measure
-    std::vector<dealii::Point<2>> position;  ///< X, reference
-    std::vector<dealii::Point<2>> parameter; ///< (xi, eta)
-    std::vector<dealii::Tensor<1, 2>> normal; ///< edges only: outward, reference
-  };
-
-  /**
-   * The reference geometry X(xi, eta) = (xi, eta) + sum_a N_a(xi, eta) D_a: the
-   * identity plus an offset in the spline space, so that the same words hold for
-   * periodic and for open patches. D is empty for the identity.
-   */
-  struct PatchGeometry
-  {
-    std::vector<dealii::Tensor<1, 2>> offset;
-
-    /** The geometry X = map(xi, eta), projected to the space. */
-    static PatchGeometry
-    from_map(const SplineSpace &space,
-             const std::function<dealii::Point<2>(const dealii::Point<2> &)> &map);
-  };
-
-  /** Table for integrals over the cells with a quadrature on the unit square. */
-  BasisTable
-  tabulate_cells(const SplineSpace           &space,
-                 const PatchGeometry         &geometry,
-                 const dealii::Quadrature<2> &quadrature);
-
-  /** Table for integrals over one edge, elements sorted along it. */
-  BasisTable
-  tabulate_edge(const SplineSpace           &space,
-                const PatchGeometry         &geometry,
-                const Edge                   edge,
-                const dealii::Quadrature<1> &quadrature);
 } // namespace asperity
 
 #endif

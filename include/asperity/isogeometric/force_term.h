@@ -1,0 +1,38 @@
+#ifndef asperity_isogeometric_force_term_h
+#define asperity_isogeometric_force_term_h
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/sparse_matrix.h>
+#include <deal.II/lac/vector.h>
+
+namespace asperity
+{
+  /**
+   * One contribution to the residual of a displacement field u on a spline
+   * space. Degrees of freedom are interleaved: component c of function a has
+   * index 2 a + c, and u counts from the reference configuration [m]. The
+   * residual is internal minus external force [N/m in plane strain, N in
+   * axisymmetry]. Solids, contact and loads are all of this kind, so none needs
+   * to know the others.
+   */
+  class ForceTerm
+  {
+  public:
+    virtual ~ForceTerm() = default;
+
+    /** Adds the couplings between unknowns that the tangent has. */
+    virtual void add_couplings(
+      dealii::DynamicSparsityPattern &pattern) const = 0;
+
+    /**
+     * Adds the residual and, unless null, its derivative.
+     * @return false if there is no residual at u (an inverted element): the
+     *   vectors are then of no use.
+     */
+    virtual bool add(const dealii::Vector<double> &u,
+                     dealii::Vector<double> &residual,
+                     dealii::SparseMatrix<double> *tangent) = 0;
+  };
+} // namespace asperity
+
+#endif
