@@ -1,0 +1,25 @@
+#include <asperity/base/environment.h>
+
+#include <cstdlib>
+
+#include <dlfcn.h>
+
+namespace asperity
+{
+  void
+  use_one_thread_per_rank()
+  {
+    // Both libraries read their variables when they are loaded, which is before
+    // main(): so the variables help child processes, and the functions this one.
+    // They are looked up by name since BLAS need not be OpenBLAS.
+    const auto limit = [](const char *variable, const char *function) {
+      if (std::getenv(variable) != nullptr)
+        return;
+      setenv(variable, "1", 0);
+      if (void *const symbol = dlsym(RTLD_DEFAULT, function))
+        reinterpret_cast<void (*)(int)>(symbol)(1);
+    };
+    limit("OPENBLAS_NUM_THREADS", "openblas_set_num_threads");
+    limit("OMP_NUM_THREADS", "omp_set_num_threads");
+  }
+} // namespace asperity

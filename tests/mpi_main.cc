@@ -1,0 +1,18 @@
+#include <deal.II/base/mpi.h>
+
+#include <asperity/base/environment.h>
+
+#include <gtest/gtest.h>
+
+// The main function of the rooms that build on deal.II's parallel classes. MPI
+// starts only for tests that run: ctest also asks for their names.
+int
+main(int argc, char **argv)
+{
+  asperity::use_one_thread_per_rank();
+  testing::InitGoogleTest(&argc, argv);
+  if (testing::GTEST_FLAG(list_tests))
+    return RUN_ALL_TESTS();
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  return RUN_ALL_TESTS();
+}
