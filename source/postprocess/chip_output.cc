@@ -1,6 +1,5 @@
 #include <asperity/isogeometric/spline_space.h>
-
-<asperity / postprocess / chip_output.h>
+#include <asperity/postprocess/chip_output.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -8,7 +7,7 @@
 
 #include <algorithm>
 
-  namespace asperity
+namespace asperity
 {
   namespace
   {
@@ -170,7 +169,7 @@
 
 
 
-  void ChipOutput::write(std::ostream & out,
+  void ChipOutput::write(std::ostream &out,
                          const ChipFields &fields,
                          const double time,
                          const unsigned int step,
