@@ -1,0 +1,230 @@
+#include <asperity/base/errors.h>
+#include <asperity/postprocess/atomic_file.h>
+#include <asperity/postprocess/friction_table.h>
+#include <asperity/postprocess/summary.h>
+#include <asperity/postprocess/table.h>
+
+#include "files.h"
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+using namespace asperity;
+
+namespace
+{
+  const double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+  std::vector<std::string> lines(const std::string &path)
+  {
+    std::istringstream in(content(path));
+    std::vector<std::string> result;
+    for (std::string line; std::getline(in, line);)
+      result.push_back(line);
+    return result;
+  }
+
+  FrictionRow row_of_step(const unsigned int step)
+  {
+    FrictionRow row;
+    row.step                 = step;
+    row.time                 = step * 1e-9;
+    row.sliding_distance     = step * 3.75e-10;
+    row.T_x                  = 300.;
+    row.T_y                  = -3000.;
+    row.mu                   = 0.1;
+    row.contact_fraction     = 1. / 3.;
+    row.max_contact_pressure = 2.5e9;
+    row.max_temperature      = 298.15;
+    row.newton_iterations    = 4;
+    return row;
+  }
+} // namespace
+
+
+
+TEST(AtomicFile, a_failed_write_leaves_the_old_file_and_no_other)
+{
+  const std::string folder = test_folder(), path = folder + "/a/file";
+  write_atomically(path, [](std::ostream &out) { out << "old"; });
+  EXPECT_THROW(write_atomically(path,
+                                [](std::ostream &out) {
+                                  out << "new";
+                                  throw ComputationError("no");
+                                }),
+               ComputationError);
+  EXPECT_EQ(content(path), "old");
+  EXPECT_EQ(n_files(folder + "/a"), 1u);
+}
+
+
+
+TEST(AtomicFile, a_path_that_cannot_be_written_is_named)
+{
+  const std::string folder = test_folder();
+  overwrite(folder + "/file", "");
+  const std::string message = message_of<ComputationError>(
+    [&]() { write_atomically(folder + "/file/below", [](std::ostream &) {}); });
+  EXPECT_NE(message.find(folder + "/file/below"), std::string::npos);
+}
+
+
+
+TEST(AtomicFile, decimals_read_back_as_the_same_double)
+{
+  EXPECT_EQ(shortest_decimal(0.1), "0.1");
+  EXPECT_EQ(shortest_decimal(100000.), "100000");
+  EXPECT_EQ(shortest_decimal(2.5e-7), "2.5e-07");
+  for (const double value : {1. / 3., 2e18, -4.9e-324, 1.7976931348623157e308})
+    EXPECT_EQ(std::strtod(shortest_decimal(value).c_str(), nullptr), value);
+}
+
+
+
+TEST(FrictionTable, headings_name_every_unit_and_rows_are_on_disk_at_once)
+{
+  const std::string folder = test_folder();
+  FrictionTable table(folder);
+  table.append(row_of_step(7));
+  // The table is still open: a kill now must lose nothing.
+  const auto rows = lines(folder + "/friction.csv");
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0],
+            "step,time [s],sliding distance [m],T_x [N/m],T_y [N/m],mu [-],"
+            "contact fraction [-],max contact pressure [Pa],"
+            "max plastic strain [-],max temperature [K],mean gap [m],"
+            "max penetration [m],newton iterations [-],factorisations [-],"
+            "wall time [s]");
+  EXPECT_EQ(rows[1].substr(0, 8), "7,7e-09,");
+  EXPECT_NE(rows[1].find(",0.3333333333333333,2500000000,0,298.15,"),
+            std::string::npos);
+}
+
+
+
+TEST(FrictionTable, companion_shows_people_units)
+{
+  const std::string folder = test_folder();
+  FrictionTable(folder).append(row_of_step(8));
+  const auto rows = lines(folder + "/friction_units.csv");
+  ASSERT_EQ(rows.size(), 2u);
+  // 8e-9 s, 3e-9 m, 300 N/m, 2.5e9 Pa and 298.15 K by hand.
+  EXPECT_EQ(rows[0].substr(0, 46),
+            "step,time [us],sliding distance [um],T_x [N/mm");
+  EXPECT_EQ(rows[1],
+            "8,0.008,0.003,0.3,-3,0.1,0.333333333333,2500,0,25,0,0,4,0,0");
+}
+
+
+
+TEST(FrictionTable, restart_removes_rows_after_the_step_and_goes_on)
+{
+  const std::string folder = test_folder();
+  {
+    FrictionTable table(folder);
+    for (unsigned int step = 1; step <= 5; ++step)
+      table.append(row_of_step(step));
+  }
+  const std::string whole = content(folder + "/friction.csv");
+  // A kill in the middle of a row leaves a torn line.
+  overwrite(folder + "/friction.csv", whole + "6,6e-0");
+  {
+    FrictionTable table(folder, 3);
+    table.append(row_of_step(4));
+    table.append(row_of_step(5));
+  }
+  EXPECT_EQ(content(folder + "/friction.csv"), whole);
+  EXPECT_EQ(lines(folder + "/friction_units.csv").size(), 6u);
+}
+
+
+
+TEST(FrictionTable, a_new_run_replaces_the_old_table)
+{
+  const std::string folder = test_folder();
+  FrictionTable(folder).append(row_of_step(1));
+  FrictionTable(folder).append(row_of_step(2));
+  EXPECT_EQ(lines(folder + "/friction.csv").size(), 2u);
+}
+
+
+
+TEST(FrictionTable, a_value_that_is_not_finite_is_refused_by_name)
+{
+  const std::string folder = test_folder();
+  FrictionTable table(folder);
+  FrictionRow row = row_of_step(1);
+  row.mean_gap    = not_a_number;
+  const std::string message =
+    message_of<ComputationError>([&]() { table.append(row); });
+  EXPECT_NE(message.find("mean gap [m]"), std::string::npos);
+  EXPECT_EQ(lines(folder + "/friction.csv").size(), 1u);
+}
+
+
+
+TEST(Table, restart_into_a_foreign_or_damaged_table_is_refused)
+{
+  const std::string path = test_folder() + "/a.csv";
+  overwrite(path, "step,b [m]\n1,2\n");
+  EXPECT_THROW(Table(path, {{"step", "step"}, {"a [m]", "a [m]"}}, "", 1),
+               InputError);
+  overwrite(path, "step,a [m]\n1,2,3\n");
+  EXPECT_THROW(Table(path, {{"step", "step"}, {"a [m]", "a [m]"}}, "", 1),
+               InputError);
+  overwrite(path, "step,a [m]\nhello,2\n");
+  EXPECT_THROW(Table(path, {{"step", "step"}, {"a [m]", "a [m]"}}, "", 1),
+               InputError);
+}
+
+
+
+TEST(Table, a_heading_or_row_that_would_break_the_table_is_refused)
+{
+  const std::string path = test_folder() + "/a.csv";
+  EXPECT_THROW(Table(path, {{"a, b", "a"}}), InputError);
+  Table table(path, {{"a", "a"}, {"b", "b"}});
+  EXPECT_THROW(table.append({1.}), ComputationError);
+}
+
+
+
+TEST(Summary, reads_back_in_order_and_bit_for_bit)
+{
+  const std::string path = test_folder() + "/summary.json";
+  nlohmann::ordered_json summary;
+  summary["friction"]["mu"]     = 1. / 3.;
+  summary["friction"]["mu_end"] = 0.1;
+  summary["friction"]["window"] = {1.25e-7, 2.5e-7};
+  summary["chip"]["degree"]     = 2;
+  summary["a"]                  = "R0 \xc2\xb5";
+  write_summary(path, summary);
+  EXPECT_EQ(read_summary(path), summary);
+  EXPECT_EQ(read_summary(path).dump(), summary.dump());
+  EXPECT_EQ(content(path).substr(0, 18), "{\n  \"friction\": {\n");
+}
+
+
+
+TEST(Summary, a_value_that_is_not_finite_is_refused_by_name)
+{
+  const std::string path = test_folder() + "/summary.json";
+  nlohmann::ordered_json summary;
+  summary["friction"]["window"] = {0., not_a_number};
+  const std::string message =
+    message_of<ComputationError>([&]() { write_summary(path, summary); });
+  EXPECT_NE(message.find("/friction/window/1"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+
+
+TEST(Summary, missing_and_broken_files_are_input_errors)
+{
+  const std::string path = test_folder() + "/summary.json";
+  EXPECT_THROW(read_summary(path), InputError);
+  overwrite(path, "{\"friction\": ");
+  EXPECT_THROW(read_summary(path), InputError);
+}
