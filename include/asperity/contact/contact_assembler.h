@@ -1,0 +1,149 @@
+#ifndef asperity_contact_contact_assembler_h
+#define asperity_contact_contact_assembler_h
+
+#include <asperity/contact/rigid_obstacle.h>
+#include <asperity/isogeometric/force_term.h>
+#include <asperity/isogeometric/spline_space.h>
+
+#include <memory>
+#include <vector>
+
+namespace asperity
+{
+  enum class ContactFormulation
+  {
+    mortar,     ///< knot to surface: one pressure a control point
+    gauss_point ///< Gauss point to surface: one pressure a quadrature point
+  };
+
+  struct ContactOptions
+  {
+    ContactFormulation formulation = ContactFormulation::mortar;
+
+    /** epsilon in p = epsilon (-gap) [Pa/m]. */
+    double penalty = 1e19;
+
+    /** Gauss points an element of the contact edge; 0 means degree + 2. */
+    unsigned int points_per_element = 0;
+  };
+
+  /** State of the interface at the last evaluated displacement. */
+  struct ContactState
+  {
+    dealii::Tensor<1, 2> force;  ///< on the deformable body [N/m]
+    double contact_fraction = 0.; ///< share of the reference length in contact
+    double max_pressure     = 0.; ///< [Pa]
+    double max_penetration  = 0.; ///< [m]
+    double mean_gap         = 0.; ///< mean of max(gap, 0) over the length [m]
+  };
+
+  /**
+   * Frictionless contact of an edge with a rigid obstacle, by penalty and
+   * optional multipliers. Both formulations derive from one potential over the
+   * reference edge, so forces balance and the tangent is exact:
+   *
+   *   mortar:      sum_a W_a / (2 epsilon) <lambda_a - epsilon g_a>^2,
+   *                g_a = int N_a g / W_a, W_a = int N_a    (eqs. 15, 16, seed)
+   *   Gauss point: int 1 / (2 epsilon) <lambda - epsilon g>^2
+   *
+   * so the pressure is p = sum_a N_a <lambda_a - epsilon g_a>, or pointwise, and
+   * acts along the obstacle's normal: R_a = - int N_a p n. The pressure counts
+   * per reference length; on the seed's current length it differs by the
+   * stretch, which multiplies the penalty only.
+   * L. De Lorenzis, I. Temizer, P. Wriggers, G. Zavarise, IJNME 87 (2011)
+   * 1278-1300.
+   */
+  class ContactAssembler : public ForceTerm
+  {
+  public:
+    ContactAssembler(std::shared_ptr<const SplineSpace>   space,
+                     const PatchGeometry                 &geometry,
+                     const Edge                           edge,
+                     std::shared_ptr<const RigidObstacle> obstacle,
+                     const ContactOptions                &options);
+
+    void
+    add_couplings(dealii::DynamicSparsityPattern &pattern) const override;
+
+    bool
+    add(const dealii::Vector<double> &u,
+        dealii::Vector<double>       &residual,
+        dealii::SparseMatrix<double> *tangent) override;
+
+    /** Translation of the obstacle [m]. */
+    void
+    set_obstacle_offset(const dealii::Tensor<1, 2> &offset);
+
+    /** The multipliers take the value of the pressures at the last evaluated
+     *  displacement (one pass of the augmented-Lagrange loop). */
+    void
+    augment();
+
+    /** One multiplier an edge function (mortar) or a point (Gauss point). */
+    const std::vector<double> &
+    multipliers() const;
+
+    void
+    set_multipliers(const std::vector<double> &multipliers);
+
+    ContactState
+    state() const;
+
+    /** Edge quadrature points; the arrays below follow its numbering. */
+    const BasisTable &
+    table() const;
+
+    const std::vector<double> &
+    pressure() const;
+
+    const std::vector<GapPoint> &
+    gaps() const;
+
+    /** Current positions of the points. */
+    const std::vector<dealii::Point<2>> &
+    positions() const;
+
+    const ContactOptions &
+    options() const;
+
+  private:
+    void
+    measure(const dealii::Vector<double> &u);
+
+    void
+    set_pressures();
+
+    void
+    add_residual(dealii::Vector<double> &residual) const;
+
+    void
+    add_curvature(dealii::SparseMatrix<double> &tangent) const;
+
+    void
+    add_mortar_stiffness(dealii::SparseMatrix<double> &tangent) const;
+
+    void
+    add_point_stiffness(dealii::SparseMatrix<double> &tangent) const;
+
+    std::shared_ptr<const SplineSpace>   space;
+    std::shared_ptr<const RigidObstacle> obstacle;
+    ContactOptions                       options_;
+    BasisTable                           table_;
+    dealii::Tensor<1, 2>                 offset;
+
+    std::vector<unsigned int> edge_functions; ///< edge index -> function
+    std::vector<std::vector<unsigned int>> element_functions; ///< edge indices
+    std::vector<std::vector<unsigned int>> element_columns; ///< into table rows
+    std::vector<std::vector<unsigned int>> neighbours; ///< overlapping supports
+    std::vector<double>                    weight;     ///< W_a [m]
+
+    std::vector<double>           multiplier;
+    std::vector<double>           hint;
+    std::vector<dealii::Point<2>> position;
+    std::vector<GapPoint>         gap;
+    std::vector<double>           function_pressure; ///< mortar: p_a [Pa]
+    std::vector<double>           point_pressure;    ///< [Pa]
+  };
+} // namespace asperity
+
+#endif

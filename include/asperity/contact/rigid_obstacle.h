@@ -1,0 +1,40 @@
+#ifndef asperity_contact_rigid_obstacle_h
+#define asperity_contact_rigid_obstacle_h
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+namespace asperity
+{
+  /**
+   * Where a point of the deformable body stands to a rigid surface. The gap is
+   * positive when open: gap = (x - x_p) . normal with the closest point x_p;
+   * equation 14 of the seed has the opposite sign.
+   */
+  struct GapPoint
+  {
+    double               gap = 0.; ///< [m]
+    dealii::Tensor<1, 2> normal;   ///< outward from the rigid surface at x_p
+
+    /** Curvature of the rigid surface at x_p [1/m], positive where it bulges
+     *  towards the body (an asperity), negative in a valley. */
+    double curvature = 0.;
+  };
+
+  /** A rigid surface that never moves or is moved as a whole. */
+  class RigidObstacle
+  {
+  public:
+    virtual ~RigidObstacle() = default;
+
+    /**
+     * @param x position [m]
+     * @param hint where the last search for this point ended; any number to
+     *   start with; rewritten
+     */
+    virtual GapPoint
+    gap(const dealii::Point<2> &x, double &hint) const = 0;
+  };
+} // namespace asperity
+
+#endif

@@ -1,0 +1,115 @@
+#ifndef asperity_solid_equilibrium_h
+#define asperity_solid_equilibrium_h
+
+#include <asperity/isogeometric/force_term.h>
+#include <asperity/solvers/direct_solver.h>
+#include <asperity/solvers/newton.h>
+
+#include <deal.II/lac/sparsity_pattern.h>
+
+#include <memory>
+#include <vector>
+
+namespace asperity
+{
+  /** Seconds of wall time and counts, by phase, summed over a run. */
+  struct EquilibriumCost
+  {
+    double       assembly       = 0.;
+    double       factorisation  = 0.;
+    double       solution       = 0.;
+    unsigned int factorisations = 0;
+  };
+
+  /**
+   * Force balance of a displacement field: the sum of force terms minus a dead
+   * load, plus inertia on request, with some components prescribed.
+   *
+   * With inertia the residual is that of the generalized-alpha method,
+   * factor M u + constant + static_weight (sum of terms - load).
+   */
+  class Equilibrium : public NonlinearSystem
+  {
+  public:
+    /**
+     * @param n_dofs length of u
+     * @param terms the contributions; they must outlive this object
+     * @param is_prescribed one flag a component of u
+     */
+    Equilibrium(const unsigned int             n_dofs,
+                const std::vector<ForceTerm *> &terms,
+                const std::vector<bool>        &is_prescribed,
+                const DirectSolverKind solver = DirectSolverKind::umfpack);
+
+    bool
+    residual(const dealii::Vector<double> &u,
+             dealii::Vector<double>       &R) override;
+
+    bool
+    linearize(const dealii::Vector<double> &u,
+              dealii::Vector<double>       &R) override;
+
+    bool
+    direction(const dealii::Vector<double> &R,
+              dealii::Vector<double>       &d) override;
+
+    /** Dead load [N/m or N], at the end of the step. */
+    void
+    set_load(const dealii::Vector<double> &load);
+
+    /** See above; mass must outlive its use; nullptr: quasi-static. */
+    void
+    set_inertia(const dealii::SparseMatrix<double> *mass,
+                const double                        factor,
+                const dealii::Vector<double>       &constant,
+                const double                        static_weight);
+
+    /**
+     * Moves u to the prescribed values by one linear step: the free components
+     * follow as the tangent at u says.
+     * @param target its prescribed components are used
+     * @return false if no tangent exists at u
+     */
+    bool
+    prescribe(dealii::Vector<double>       &u,
+              const dealii::Vector<double> &target);
+
+    /** Sum of force terms without load, inertia and prescription: at the
+     *  prescribed components these are the reactions. */
+    bool
+    forces(const dealii::Vector<double> &u, dealii::Vector<double> &R);
+
+    /** A matrix with this object's sparsity pattern. */
+    std::unique_ptr<dealii::SparseMatrix<double>>
+    make_matrix() const;
+
+    const dealii::SparseMatrix<double> &
+    tangent() const;
+
+    const EquilibriumCost &
+    cost() const;
+
+  private:
+    bool
+    assemble(const dealii::Vector<double> &u,
+             dealii::Vector<double>       &R,
+             const bool                    with_tangent);
+
+    void
+    eliminate_prescribed();
+
+    std::vector<ForceTerm *>             terms;
+    std::vector<bool>                    is_prescribed;
+    dealii::SparsityPattern              pattern;
+    dealii::SparseMatrix<double>         matrix;
+    std::unique_ptr<DirectSolver>        solver;
+    dealii::Vector<double>               load;
+    const dealii::SparseMatrix<double>  *mass = nullptr;
+    double                               mass_factor   = 0.;
+    double                               static_weight = 1.;
+    dealii::Vector<double>               inertia_constant;
+    EquilibriumCost                      cost_;
+  };
+} // namespace asperity
+
+#endif

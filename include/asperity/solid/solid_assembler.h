@@ -1,0 +1,105 @@
+#ifndef asperity_solid_solid_assembler_h
+#define asperity_solid_solid_assembler_h
+
+#include <asperity/constitutive/material_law.h>
+#include <asperity/isogeometric/force_term.h>
+#include <asperity/isogeometric/spline_space.h>
+
+#include <memory>
+#include <vector>
+
+namespace asperity
+{
+  enum class Kinematics
+  {
+    plane_strain,
+    axisymmetric ///< coordinates r, z; integrals carry 2 pi r
+  };
+
+  /**
+   * Internal force of the isogeometric solid in total Lagrangian form:
+   * R_a = integral over the reference body of P(F) Grad N_a, F = I + Grad u.
+   * Plane strain integrates per metre of thickness.
+   *
+   * The history at the end of the step is rewritten by every call; accept()
+   * makes it the start of the next step.
+   */
+  class SolidAssembler : public ForceTerm
+  {
+  public:
+    /** @param n_quadrature Gauss points per direction; 0 means degree + 1 */
+    SolidAssembler(std::shared_ptr<const SplineSpace> space,
+                   const PatchGeometry               &geometry,
+                   std::shared_ptr<const MaterialLaw> law,
+                   const Kinematics   kinematics   = Kinematics::plane_strain,
+                   const unsigned int n_quadrature = 0);
+
+    void
+    add_couplings(dealii::DynamicSparsityPattern &pattern) const override;
+
+    bool
+    add(const dealii::Vector<double> &u,
+        dealii::Vector<double>       &residual,
+        dealii::SparseMatrix<double> *tangent) override;
+
+    /** Length of the step that the next calls evaluate [s]. */
+    void
+    set_time_step(const double dt);
+
+    /** The end of the step becomes the start of the next one. */
+    void
+    accept();
+
+    /** Every point starts from this state. */
+    void
+    initialize(const MaterialState &state);
+
+    /** States at the start of the step, one a point of table(). */
+    const std::vector<MaterialState> &
+    history() const;
+
+    void
+    set_history(const std::vector<MaterialState> &history);
+
+    /** Equivalent stress at the last evaluated u, one a point of table() [Pa]. */
+    const std::vector<double> &
+    mises_stress() const;
+
+    /** Consistent mass matrix, integral of rho0 N_a N_b, both components. */
+    void
+    assemble_mass(dealii::SparseMatrix<double> &mass) const;
+
+    /** External force of a body force per reference volume [N/m^3]. */
+    void
+    add_body_force(const dealii::Tensor<1, 2> &force,
+                   dealii::Vector<double>     &external) const;
+
+    const BasisTable &
+    table() const;
+
+    const SplineSpace &
+    space() const;
+
+    const MaterialLaw &
+    law() const;
+
+  private:
+    struct Scratch;
+
+    bool
+    integrate(const BasisTable::Element    &element,
+              const dealii::Vector<double> &u,
+              const bool                    with_tangent,
+              Scratch                      &scratch);
+
+    std::shared_ptr<const SplineSpace> space_;
+    std::shared_ptr<const MaterialLaw> law_;
+    Kinematics                         kinematics;
+    BasisTable                         table_;
+    double                             dt = 1.;
+    std::vector<MaterialState>         old_history, new_history;
+    std::vector<double>                mises;
+  };
+} // namespace asperity
+
+#endif

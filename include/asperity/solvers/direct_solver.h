@@ -1,0 +1,48 @@
+#ifndef asperity_solvers_direct_solver_h
+#define asperity_solvers_direct_solver_h
+
+#include <deal.II/lac/sparse_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <memory>
+#include <string>
+
+namespace asperity
+{
+  /**
+   * A sparse direct solver that keeps what depends on the sparsity pattern only
+   * (ordering, symbolic factorisation) from one factorisation to the next.
+   * Tangents may be indefinite and, with follower loads, unsymmetric, so all
+   * kinds are LU.
+   */
+  class DirectSolver
+  {
+  public:
+    virtual ~DirectSolver() = default;
+
+    /** To be called when the sparsity pattern has changed. */
+    virtual void
+    reset() = 0;
+
+    /** @return false if the matrix is singular or not finite. */
+    virtual bool
+    factorize(const dealii::SparseMatrix<double> &matrix) = 0;
+
+    /** Replaces the right-hand side by the solution of the last factorised
+     *  matrix. */
+    virtual void
+    solve(dealii::Vector<double> &rhs) const = 0;
+  };
+
+  enum class DirectSolverKind
+  {
+    umfpack, ///< multifrontal with BLAS 3: the fastest below 10^5 unknowns
+    klu,     ///< SuiteSparse's solver for circuits, pivot sequence reused
+    mumps    ///< Amesos_Mumps of Trilinos (deal.II's wrapper), if built in
+  };
+
+  std::unique_ptr<DirectSolver>
+  make_direct_solver(const DirectSolverKind kind);
+} // namespace asperity
+
+#endif

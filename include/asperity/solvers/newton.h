@@ -1,0 +1,66 @@
+#ifndef asperity_solvers_newton_h
+#define asperity_solvers_newton_h
+
+#include <asperity/base/convergence_report.h>
+
+#include <deal.II/lac/vector.h>
+
+namespace asperity
+{
+  /** Nonlinear equations R(u) = 0 as Newton's method sees them. Prescribed
+   *  components of u are the system's business: their rows of R are zero. */
+  class NonlinearSystem
+  {
+  public:
+    virtual ~NonlinearSystem() = default;
+
+    /** R(u). @return false if no residual exists at u (an inverted element). */
+    virtual bool
+    residual(const dealii::Vector<double> &u, dealii::Vector<double> &R) = 0;
+
+    /** R(u) together with its tangent, which stays with the system. */
+    virtual bool
+    linearize(const dealii::Vector<double> &u, dealii::Vector<double> &R) = 0;
+
+    /** Factorises the tangent of the last linearize() and solves K d = -R.
+     *  @return false if the tangent is singular. */
+    virtual bool
+    direction(const dealii::Vector<double> &R, dealii::Vector<double> &d) = 0;
+  };
+
+  struct NewtonOptions
+  {
+    /** Euclidean norm of the residual, in the unit of the residual. */
+    double       tolerance          = 1e-8;
+    unsigned int maximum_iterations = 25;
+
+    /** A step is accepted if |R(u + a d).d| <= this times |R(u).d|. */
+    double       line_search_tolerance = 0.8;
+    unsigned int line_search_trials    = 8;
+  };
+
+  /** Counts that tell the cost, summed over calls. */
+  struct NewtonStatistics
+  {
+    unsigned int iterations     = 0; ///< linear solves
+    unsigned int linearizations = 0; ///< assemblies with tangent
+    unsigned int residuals      = 0; ///< assemblies without
+  };
+
+  /**
+   * Newton's method with a line search on the directional derivative of the
+   * energy, s(a) = R(u + a d).d (M. A. Crisfield, Non-linear Finite Element
+   * Analysis of Solids and Structures, vol. 1, sec. 9.4; regula falsi), not on
+   * the residual norm, which stalls where contact opens and closes.
+   *
+   * On failure u is the last iterate; the caller keeps the state to go back to.
+   * report.residual is the Euclidean norm.
+   */
+  ConvergenceReport
+  newton(NonlinearSystem        &system,
+         dealii::Vector<double> &u,
+         const NewtonOptions    &options,
+         NewtonStatistics       &statistics);
+} // namespace asperity
+
+#endif

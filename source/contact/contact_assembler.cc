@@ -1,0 +1,403 @@
+#include <asperity/contact/contact_assembler.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <set>
+
+namespace asperity
+{
+  using dealii::Tensor;
+  using Vector = dealii::Vector<double>;
+  using Matrix = dealii::SparseMatrix<double>;
+
+  ContactAssembler::ContactAssembler(
+    std::shared_ptr<const SplineSpace>   space,
+    const PatchGeometry                 &geometry,
+    const Edge                           edge,
+    std::shared_ptr<const RigidObstacle> obstacle,
+    const ContactOptions                &options)
+    : space(std::move(space))
+    , obstacle(std::move(obstacle))
+    , options_(options)
+    , table_(tabulate_edge(*this->space,
+                           geometry,
+                           edge,
+                           dealii::QGauss<1>(
+                             options.points_per_element > 0 ?
+                               options.points_per_element :
+                               this->space->degree() + 2)))
+    , edge_functions(this->space->edge_functions(edge))
+    , neighbours(edge_functions.size())
+    , weight(edge_functions.size(), 0.)
+    , hint(table_.JxW.size(), 0.)
+    , position(table_.JxW.size())
+    , gap(table_.JxW.size())
+    , function_pressure(edge_functions.size(), 0.)
+    , point_pressure(table_.JxW.size(), 0.)
+  {
+    multiplier.assign(options.formulation == ContactFormulation::mortar ?
+                        edge_functions.size() :
+                        table_.JxW.size(),
+                      0.);
+    std::vector<std::set<unsigned int>> overlap(edge_functions.size());
+    for (const auto &element : table_.elements)
+      {
+        std::vector<unsigned int> functions, columns;
+        const unsigned int        n = element.functions.size();
+        for (unsigned int a = 0; a < n; ++a)
+          {
+            const auto found = std::lower_bound(edge_functions.begin(),
+                                                edge_functions.end(),
+                                                element.functions[a]);
+            if (found == edge_functions.end() ||
+                *found != element.functions[a])
+              continue;
+            functions.push_back(found - edge_functions.begin());
+            columns.push_back(a);
+            for (unsigned int q = 0; q < table_.points_per_element; ++q)
+              weight[functions.back()] += element.values[q * n + a] *
+                                          table_.JxW[element.first_point + q];
+          }
+        for (const unsigned int a : functions)
+          overlap[a].insert(functions.begin(), functions.end());
+        element_functions.push_back(functions);
+        element_columns.push_back(columns);
+      }
+    for (unsigned int a = 0; a < overlap.size(); ++a)
+      neighbours[a].assign(overlap[a].begin(), overlap[a].end());
+  }
+
+
+
+  void
+  ContactAssembler::add_couplings(dealii::DynamicSparsityPattern &pattern) const
+  {
+    const auto couple = [&](const std::vector<unsigned int> &indices) {
+      for (const unsigned int a : indices)
+        for (const unsigned int b : indices)
+          for (unsigned int i = 0; i < 2; ++i)
+            for (unsigned int j = 0; j < 2; ++j)
+              pattern.add(2 * edge_functions[a] + i, 2 * edge_functions[b] + j);
+    };
+    if (options_.formulation == ContactFormulation::mortar)
+      for (const auto &indices : neighbours)
+        couple(indices);
+    else
+      for (const auto &indices : element_functions)
+        couple(indices);
+  }
+
+
+
+  void
+  ContactAssembler::measure(const Vector &u)
+  {
+    for (const auto &element : table_.elements)
+      {
+        const unsigned int n = element.functions.size();
+        for (unsigned int q = 0; q < table_.points_per_element; ++q)
+          {
+            const unsigned int point = element.first_point + q;
+            dealii::Point<2>   x     = table_.position[point];
+            for (unsigned int a = 0; a < n; ++a)
+              for (unsigned int c = 0; c < 2; ++c)
+                x[c] += element.values[q * n + a] *
+                        u(2 * element.functions[a] + c);
+            position[point] = x;
+            gap[point]      = obstacle->gap(x - offset, hint[point]);
+          }
+      }
+  }
+
+
+
+  void
+  ContactAssembler::set_pressures()
+  {
+    if (options_.formulation == ContactFormulation::gauss_point)
+      {
+        for (unsigned int q = 0; q < gap.size(); ++q)
+          point_pressure[q] =
+            std::max(0., multiplier[q] - options_.penalty * gap[q].gap);
+        return;
+      }
+    std::vector<double> weighted_gap(edge_functions.size(), 0.);
+    const auto for_each_value = [&](const auto &action) {
+      for (unsigned int e = 0; e < table_.elements.size(); ++e)
+        {
+          const auto        &element = table_.elements[e];
+          const unsigned int n       = element.functions.size();
+          for (unsigned int q = 0; q < table_.points_per_element; ++q)
+            for (unsigned int i = 0; i < element_functions[e].size(); ++i)
+              action(element.first_point + q,
+                     element_functions[e][i],
+                     element.values[q * n + element_columns[e][i]]);
+        }
+    };
+    for_each_value([&](const unsigned int q, const unsigned int a, double N) {
+      weighted_gap[a] += N * gap[q].gap * table_.JxW[q];
+    });
+    for (unsigned int a = 0; a < weighted_gap.size(); ++a)
+      function_pressure[a] =
+        std::max(0.,
+                 multiplier[a] -
+                   options_.penalty * weighted_gap[a] / weight[a]);
+    std::fill(point_pressure.begin(), point_pressure.end(), 0.);
+    for_each_value([&](const unsigned int q, const unsigned int a, double N) {
+      point_pressure[q] += N * function_pressure[a];
+    });
+  }
+
+
+
+  void
+  ContactAssembler::add_residual(Vector &residual) const
+  {
+    for (const auto &element : table_.elements)
+      {
+        const unsigned int n = element.functions.size();
+        for (unsigned int q = 0; q < table_.points_per_element; ++q)
+          {
+            const unsigned int point = element.first_point + q;
+            if (point_pressure[point] == 0.)
+              continue;
+            const Tensor<1, 2> force =
+              point_pressure[point] * table_.JxW[point] * gap[point].normal;
+            for (unsigned int a = 0; a < n; ++a)
+              for (unsigned int c = 0; c < 2; ++c)
+                residual(2 * element.functions[a] + c) -=
+                  element.values[q * n + a] * force[c];
+          }
+      }
+  }
+
+
+
+  void
+  ContactAssembler::add_curvature(Matrix &tangent) const
+  {
+    // Hessian of the distance: curvature / (1 + curvature gap) t (x) t. Beyond
+    // the centre of curvature of a valley the closest point jumps; the bound
+    // keeps the term finite there, where gaps are large and pressures zero.
+    for (unsigned int e = 0; e < table_.elements.size(); ++e)
+      {
+        const auto        &element = table_.elements[e];
+        const unsigned int n       = element.functions.size();
+        for (unsigned int q = 0; q < table_.points_per_element; ++q)
+          {
+            const unsigned int point = element.first_point + q;
+            if (point_pressure[point] == 0.)
+              continue;
+            const GapPoint &g = gap[point];
+            const double    hessian =
+              g.curvature / std::max(0.1, 1. + g.curvature * g.gap);
+            const double factor =
+              -point_pressure[point] * hessian * table_.JxW[point];
+            const double t[2] = {-g.normal[1], g.normal[0]};
+            for (const unsigned int a : element_columns[e])
+              for (const unsigned int b : element_columns[e])
+                for (unsigned int i = 0; i < 2; ++i)
+                  for (unsigned int j = 0; j < 2; ++j)
+                    tangent.add(2 * element.functions[a] + i,
+                                2 * element.functions[b] + j,
+                                factor * element.values[q * n + a] *
+                                  element.values[q * n + b] * t[i] * t[j]);
+          }
+      }
+  }
+
+
+
+  void
+  ContactAssembler::add_mortar_stiffness(Matrix &tangent) const
+  {
+    // h[c][b] = int N_c N_b n for the active functions c.
+    std::vector<std::vector<Tensor<1, 2>>> h(edge_functions.size());
+    for (unsigned int c = 0; c < h.size(); ++c)
+      if (function_pressure[c] > 0.)
+        h[c].resize(neighbours[c].size());
+    for (unsigned int e = 0; e < table_.elements.size(); ++e)
+      {
+        const auto        &element   = table_.elements[e];
+        const unsigned int n         = element.functions.size();
+        const auto        &functions = element_functions[e];
+        for (unsigned int i = 0; i < functions.size(); ++i)
+          {
+            const unsigned int c = functions[i];
+            if (h[c].empty())
+              continue;
+            for (unsigned int j = 0; j < functions.size(); ++j)
+              {
+                const unsigned int slot =
+                  std::lower_bound(neighbours[c].begin(),
+                                   neighbours[c].end(),
+                                   functions[j]) -
+                  neighbours[c].begin();
+                for (unsigned int q = 0; q < table_.points_per_element; ++q)
+                  h[c][slot] += element.values[q * n + element_columns[e][i]] *
+                                element.values[q * n + element_columns[e][j]] *
+                                table_.JxW[element.first_point + q] *
+                                gap[element.first_point + q].normal;
+              }
+          }
+      }
+    for (unsigned int c = 0; c < h.size(); ++c)
+      for (unsigned int k = 0; k < h[c].size(); ++k)
+        for (unsigned int l = 0; l < h[c].size(); ++l)
+          for (unsigned int i = 0; i < 2; ++i)
+            for (unsigned int j = 0; j < 2; ++j)
+              tangent.add(2 * edge_functions[neighbours[c][k]] + i,
+                          2 * edge_functions[neighbours[c][l]] + j,
+                          options_.penalty / weight[c] * h[c][k][i] *
+                            h[c][l][j]);
+  }
+
+
+
+  void
+  ContactAssembler::add_point_stiffness(Matrix &tangent) const
+  {
+    for (unsigned int e = 0; e < table_.elements.size(); ++e)
+      {
+        const auto        &element = table_.elements[e];
+        const unsigned int n       = element.functions.size();
+        for (unsigned int q = 0; q < table_.points_per_element; ++q)
+          {
+            const unsigned int point = element.first_point + q;
+            if (point_pressure[point] == 0.)
+              continue;
+            const Tensor<1, 2> &normal = gap[point].normal;
+            const double factor = options_.penalty * table_.JxW[point];
+            for (const unsigned int a : element_columns[e])
+              for (const unsigned int b : element_columns[e])
+                for (unsigned int i = 0; i < 2; ++i)
+                  for (unsigned int j = 0; j < 2; ++j)
+                    tangent.add(2 * element.functions[a] + i,
+                                2 * element.functions[b] + j,
+                                factor * element.values[q * n + a] *
+                                  element.values[q * n + b] * normal[i] *
+                                  normal[j]);
+          }
+      }
+  }
+
+
+
+  bool
+  ContactAssembler::add(const Vector &u, Vector &residual, Matrix *tangent)
+  {
+    measure(u);
+    set_pressures();
+    add_residual(residual);
+    if (tangent != nullptr)
+      {
+        add_curvature(*tangent);
+        if (options_.formulation == ContactFormulation::mortar)
+          add_mortar_stiffness(*tangent);
+        else
+          add_point_stiffness(*tangent);
+      }
+    return true;
+  }
+
+
+
+  void
+  ContactAssembler::set_obstacle_offset(const Tensor<1, 2> &new_offset)
+  {
+    offset = new_offset;
+  }
+
+
+
+  void
+  ContactAssembler::augment()
+  {
+    multiplier = (options_.formulation == ContactFormulation::mortar) ?
+                   function_pressure :
+                   point_pressure;
+  }
+
+
+
+  const std::vector<double> &
+  ContactAssembler::multipliers() const
+  {
+    return multiplier;
+  }
+
+
+
+  void
+  ContactAssembler::set_multipliers(const std::vector<double> &multipliers)
+  {
+    AssertDimension(multipliers.size(), multiplier.size());
+    multiplier = multipliers;
+  }
+
+
+
+  ContactState
+  ContactAssembler::state() const
+  {
+    ContactState state;
+    double       length = 0., in_contact = 0.;
+    for (unsigned int q = 0; q < gap.size(); ++q)
+      {
+        const double p = point_pressure[q];
+        length += table_.JxW[q];
+        state.force += p * table_.JxW[q] * gap[q].normal;
+        state.max_pressure    = std::max(state.max_pressure, p);
+        state.mean_gap += std::max(gap[q].gap, 0.) * table_.JxW[q];
+        state.max_penetration = std::max(state.max_penetration, -gap[q].gap);
+        // A mortar pressure reaches a support beyond the touching points;
+        // those touch where the penalty law alone would press.
+        if (p > options_.penalty * gap[q].gap && p > 0.)
+          in_contact += table_.JxW[q];
+      }
+    state.contact_fraction = in_contact / length;
+    state.mean_gap /= length;
+    return state;
+  }
+
+
+
+  const BasisTable &
+  ContactAssembler::table() const
+  {
+    return table_;
+  }
+
+
+
+  const std::vector<double> &
+  ContactAssembler::pressure() const
+  {
+    return point_pressure;
+  }
+
+
+
+  const std::vector<GapPoint> &
+  ContactAssembler::gaps() const
+  {
+    return gap;
+  }
+
+
+
+  const std::vector<dealii::Point<2>> &
+  ContactAssembler::positions() const
+  {
+    return position;
+  }
+
+
+
+  const ContactOptions &
+  ContactAssembler::options() const
+  {
+    return options_;
+  }
+} // namespace asperity

@@ -1,0 +1,197 @@
+#include <asperity/solid/equilibrium.h>
+
+#include <deal.II/base/timer.h>
+
+#include <cmath>
+
+namespace asperity
+{
+  using Vector = dealii::Vector<double>;
+
+  Equilibrium::Equilibrium(const unsigned int             n_dofs,
+                           const std::vector<ForceTerm *> &terms,
+                           const std::vector<bool>        &is_prescribed,
+                           const DirectSolverKind          solver_kind)
+    : terms(terms)
+    , is_prescribed(is_prescribed)
+    , solver(make_direct_solver(solver_kind))
+    , load(n_dofs)
+    , inertia_constant(n_dofs)
+  {
+    dealii::DynamicSparsityPattern couplings(n_dofs);
+    for (const ForceTerm *term : terms)
+      term->add_couplings(couplings);
+    for (unsigned int i = 0; i < n_dofs; ++i)
+      couplings.add(i, i);
+    pattern.copy_from(couplings);
+    matrix.reinit(pattern);
+  }
+
+
+
+  bool
+  Equilibrium::assemble(const Vector &u, Vector &R, const bool with_tangent)
+  {
+    dealii::Timer timer;
+    R = 0.;
+    if (with_tangent)
+      matrix = 0.;
+    for (ForceTerm *term : terms)
+      if (!term->add(u, R, with_tangent ? &matrix : nullptr))
+        return false;
+    R -= load;
+    if (mass != nullptr)
+      {
+        Vector inertia(u.size());
+        mass->vmult(inertia, u);
+        R.sadd(static_weight, mass_factor, inertia);
+        R += inertia_constant;
+        if (with_tangent)
+          {
+            matrix *= static_weight;
+            matrix.add(mass_factor, *mass);
+          }
+      }
+    for (unsigned int i = 0; i < R.size(); ++i)
+      if (is_prescribed[i])
+        R(i) = 0.;
+    cost_.assembly += timer.wall_time();
+    return true;
+  }
+
+
+
+  bool
+  Equilibrium::residual(const Vector &u, Vector &R)
+  {
+    return assemble(u, R, false);
+  }
+
+
+
+  bool
+  Equilibrium::linearize(const Vector &u, Vector &R)
+  {
+    return assemble(u, R, true);
+  }
+
+
+
+  void
+  Equilibrium::eliminate_prescribed()
+  {
+    for (unsigned int i = 0; i < matrix.m(); ++i)
+      for (auto entry = matrix.begin(i); entry != matrix.end(i); ++entry)
+        {
+          const unsigned int j = entry->column();
+          if (is_prescribed[i] || is_prescribed[j])
+            entry->value() =
+              (i == j) ? std::max(1., std::abs(entry->value())) : 0.;
+        }
+  }
+
+
+
+  bool
+  Equilibrium::direction(const Vector &R, Vector &d)
+  {
+    dealii::Timer timer;
+    eliminate_prescribed();
+    const bool regular = solver->factorize(matrix);
+    ++cost_.factorisations;
+    cost_.factorisation += timer.wall_time();
+    if (!regular)
+      return false;
+    timer.restart();
+    d = R;
+    d *= -1.;
+    solver->solve(d);
+    cost_.solution += timer.wall_time();
+    return std::isfinite(d.l2_norm());
+  }
+
+
+
+  void
+  Equilibrium::set_load(const Vector &new_load)
+  {
+    load = new_load;
+  }
+
+
+
+  void
+  Equilibrium::set_inertia(const dealii::SparseMatrix<double> *new_mass,
+                           const double                        factor,
+                           const Vector                       &constant,
+                           const double                        weight)
+  {
+    mass             = new_mass;
+    mass_factor      = factor;
+    inertia_constant = constant;
+    static_weight    = weight;
+  }
+
+
+
+  bool
+  Equilibrium::prescribe(Vector &u, const Vector &target)
+  {
+    Vector increment(u.size()), R(u.size()), coupling(u.size());
+    for (unsigned int i = 0; i < u.size(); ++i)
+      if (is_prescribed[i])
+        increment(i) = target(i) - u(i);
+    if (increment.linfty_norm() == 0.)
+      return true;
+    if (!assemble(u, R, true))
+      return false;
+    matrix.vmult(coupling, increment);
+    for (unsigned int i = 0; i < u.size(); ++i)
+      if (!is_prescribed[i])
+        R(i) += coupling(i);
+    Vector d(u.size());
+    if (!direction(R, d))
+      return false;
+    u += d;
+    for (unsigned int i = 0; i < u.size(); ++i)
+      if (is_prescribed[i])
+        u(i) = target(i);
+    return true;
+  }
+
+
+
+  bool
+  Equilibrium::forces(const Vector &u, Vector &R)
+  {
+    R = 0.;
+    for (ForceTerm *term : terms)
+      if (!term->add(u, R, nullptr))
+        return false;
+    return true;
+  }
+
+
+
+  std::unique_ptr<dealii::SparseMatrix<double>>
+  Equilibrium::make_matrix() const
+  {
+    return std::make_unique<dealii::SparseMatrix<double>>(pattern);
+  }
+
+
+
+  const dealii::SparseMatrix<double> &
+  Equilibrium::tangent() const
+  {
+    return matrix;
+  }
+
+
+
+  const EquilibriumCost &
+  Equilibrium::cost() const
+  {
+    return cost_;
+  }
+} // namespace asperity

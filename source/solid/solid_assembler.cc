@@ -1,0 +1,355 @@
+#include <asperity/solid/solid_assembler.h>
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+
+namespace asperity
+{
+  using dealii::Tensor;
+  using Vector = dealii::Vector<double>;
+
+  /** Work space of one element; the functions' index runs fastest, so that the
+   *  innermost loops vectorise. */
+  struct SolidAssembler::Scratch
+  {
+    void
+    resize(const unsigned int n_functions)
+    {
+      n = n_functions;
+      dofs.resize(2 * n);
+      displacement.resize(2 * n);
+      residual.assign(2 * n, 0.);
+      gradient_x.resize(n);
+      gradient_y.resize(n);
+      hoop.resize(n);
+      for (auto &row : columns)
+        row.resize(n);
+    }
+
+    unsigned int n = 0;
+
+    std::vector<unsigned int> dofs;
+    std::vector<double>       displacement, residual;
+    std::vector<double>       gradient_x, gradient_y, hoop;
+
+    /** [2 * component of P + l]: derivative of that component times weight
+     *  with respect to displacement component l of each function. */
+    std::array<std::vector<double>, 10> columns;
+
+    /** Symmetric blocks K_ab, b >= a: [i][l][a * n + b]. */
+    std::array<std::array<std::vector<double>, 2>, 2> block;
+
+    std::vector<double> full; ///< row-major 2n x 2n, interleaved
+
+    MaterialResponse response;
+  };
+
+
+
+  SolidAssembler::SolidAssembler(std::shared_ptr<const SplineSpace> space,
+                                 const PatchGeometry               &geometry,
+                                 std::shared_ptr<const MaterialLaw> law,
+                                 const Kinematics                   kinematics,
+                                 const unsigned int n_quadrature)
+    : space_(std::move(space))
+    , law_(std::move(law))
+    , kinematics(kinematics)
+    , table_(tabulate_cells(
+        *space_,
+        geometry,
+        dealii::QGauss<2>(n_quadrature > 0 ? n_quadrature :
+                                             space_->degree() + 1)))
+    , old_history(table_.JxW.size())
+    , new_history(table_.JxW.size())
+    , mises(table_.JxW.size(), 0.)
+  {
+    if (kinematics == Kinematics::axisymmetric)
+      for (unsigned int q = 0; q < table_.JxW.size(); ++q)
+        table_.JxW[q] *= 2. * dealii::numbers::PI * table_.position[q][0];
+  }
+
+
+
+  void
+  SolidAssembler::add_couplings(dealii::DynamicSparsityPattern &pattern) const
+  {
+    std::vector<unsigned int> dofs;
+    for (const auto &element : table_.elements)
+      {
+        dofs.clear();
+        for (const unsigned int a : element.functions)
+          {
+            dofs.push_back(2 * a);
+            dofs.push_back(2 * a + 1);
+          }
+        std::sort(dofs.begin(), dofs.end());
+        for (const unsigned int row : dofs)
+          pattern.add_entries(row, dofs.begin(), dofs.end(), true);
+      }
+  }
+
+
+
+  namespace
+  {
+    /** K_ab += w dP/dF : (Grad N_a, Grad N_b), for b >= a. */
+    template <typename ScratchType>
+    void
+    add_tangent(const PlaneTangent &A,
+                const double        weight,
+                const bool          axisymmetric,
+                ScratchType        &s)
+    {
+      const unsigned int n  = s.n;
+      const double      *gx = s.gradient_x.data(), *gy = s.gradient_y.data();
+      for (unsigned int c = 0; c < (axisymmetric ? 5u : 4u); ++c)
+        for (unsigned int l = 0; l < 2; ++l)
+          {
+            const double a_x = weight * A[c][2 * l],
+                         a_y = weight * A[c][2 * l + 1];
+            double *column = s.columns[2 * c + l].data();
+            for (unsigned int b = 0; b < n; ++b)
+              column[b] = a_x * gx[b] + a_y * gy[b];
+            if (axisymmetric && l == 0)
+              for (unsigned int b = 0; b < n; ++b)
+                column[b] += weight * A[c][4] * s.hoop[b];
+          }
+      for (unsigned int i = 0; i < 2; ++i)
+        for (unsigned int l = 0; l < 2; ++l)
+          {
+            const double *m_x    = s.columns[2 * (2 * i) + l].data(),
+                         *m_y    = s.columns[2 * (2 * i + 1) + l].data(),
+                         *m_hoop = s.columns[8 + l].data();
+            double *block = s.block[i][l].data();
+            for (unsigned int a = 0; a < n; ++a)
+              {
+                double      *row  = block + a * n;
+                const double ga_x = gx[a], ga_y = gy[a];
+                for (unsigned int b = 0; b < n; ++b)
+                  row[b] += ga_x * m_x[b] + ga_y * m_y[b];
+                if (axisymmetric && i == 0)
+                  for (unsigned int b = 0; b < n; ++b)
+                    row[b] += s.hoop[a] * m_hoop[b];
+              }
+          }
+    }
+  } // namespace
+
+
+
+  bool
+  SolidAssembler::integrate(const BasisTable::Element &element,
+                            const Vector              &u,
+                            const bool                 with_tangent,
+                            Scratch                   &s)
+  {
+    const bool axisymmetric = (kinematics == Kinematics::axisymmetric);
+    s.resize(element.functions.size());
+    const unsigned int n = s.n;
+    for (unsigned int a = 0; a < n; ++a)
+      for (unsigned int c = 0; c < 2; ++c)
+        {
+          s.dofs[2 * a + c]         = 2 * element.functions[a] + c;
+          s.displacement[2 * a + c] = u(s.dofs[2 * a + c]);
+        }
+    if (with_tangent)
+      for (auto &row : s.block)
+        for (auto &block : row)
+          block.assign(n * n, 0.);
+
+    for (unsigned int q = 0; q < table_.points_per_element; ++q)
+      {
+        const unsigned int point  = element.first_point + q;
+        const double       weight = table_.JxW[point];
+        PlaneTensor        F      = {{1., 0., 0., 1., 1.}};
+        for (unsigned int a = 0; a < n; ++a)
+          {
+            const Tensor<1, 2> &gradient = element.gradients[q * n + a];
+            const double        u_x = s.displacement[2 * a],
+                         u_y        = s.displacement[2 * a + 1];
+            s.gradient_x[a] = gradient[0];
+            s.gradient_y[a] = gradient[1];
+            F[0] += u_x * gradient[0];
+            F[1] += u_x * gradient[1];
+            F[2] += u_y * gradient[0];
+            F[3] += u_y * gradient[1];
+            if (axisymmetric)
+              {
+                s.hoop[a] =
+                  element.values[q * n + a] / table_.position[point][0];
+                F[4] += u_x * s.hoop[a];
+              }
+          }
+        law_->evaluate(F, old_history[point], dt, with_tangent, s.response);
+        if (s.response.status != LawStatus::ok)
+          return false;
+        const PlaneTensor &P = s.response.P;
+        new_history[point]   = s.response.state;
+        mises[point]         = s.response.mises;
+        for (unsigned int a = 0; a < n; ++a)
+          {
+            s.residual[2 * a] +=
+              weight * (P[0] * s.gradient_x[a] + P[1] * s.gradient_y[a] +
+                        (axisymmetric ? P[4] * s.hoop[a] : 0.));
+            s.residual[2 * a + 1] +=
+              weight * (P[2] * s.gradient_x[a] + P[3] * s.gradient_y[a]);
+          }
+        if (with_tangent)
+          add_tangent(s.response.tangent, weight, axisymmetric, s);
+      }
+    return true;
+  }
+
+
+
+  bool
+  SolidAssembler::add(const Vector                 &u,
+                      Vector                       &residual,
+                      dealii::SparseMatrix<double> *tangent)
+  {
+    Scratch s;
+    for (const auto &element : table_.elements)
+      {
+        if (!integrate(element, u, tangent != nullptr, s))
+          return false;
+        const unsigned int n = s.n;
+        for (unsigned int i = 0; i < 2 * n; ++i)
+          residual(s.dofs[i]) += s.residual[i];
+        if (tangent == nullptr)
+          continue;
+        s.full.resize(4 * n * n);
+        for (unsigned int a = 0; a < n; ++a)
+          for (unsigned int b = 0; b < n; ++b)
+            for (unsigned int i = 0; i < 2; ++i)
+              for (unsigned int l = 0; l < 2; ++l)
+                s.full[(2 * a + i) * 2 * n + 2 * b + l] =
+                  s.block[i][l][a * n + b];
+        for (unsigned int i = 0; i < 2 * n; ++i)
+          tangent->add(s.dofs[i],
+                       2 * n,
+                       s.dofs.data(),
+                       s.full.data() + i * 2 * n,
+                       false,
+                       false);
+      }
+    return true;
+  }
+
+
+
+  void
+  SolidAssembler::set_time_step(const double new_dt)
+  {
+    dt = new_dt;
+  }
+
+
+
+  void
+  SolidAssembler::accept()
+  {
+    old_history = new_history;
+  }
+
+
+
+  void
+  SolidAssembler::initialize(const MaterialState &state)
+  {
+    std::fill(old_history.begin(), old_history.end(), state);
+    std::fill(new_history.begin(), new_history.end(), state);
+  }
+
+
+
+  const std::vector<MaterialState> &
+  SolidAssembler::history() const
+  {
+    return old_history;
+  }
+
+
+
+  void
+  SolidAssembler::set_history(const std::vector<MaterialState> &history)
+  {
+    AssertDimension(history.size(), old_history.size());
+    old_history = history;
+    new_history = history;
+  }
+
+
+
+  const std::vector<double> &
+  SolidAssembler::mises_stress() const
+  {
+    return mises;
+  }
+
+
+
+  void
+  SolidAssembler::assemble_mass(dealii::SparseMatrix<double> &mass) const
+  {
+    mass                 = 0.;
+    const double density = law_->density();
+    for (const auto &element : table_.elements)
+      {
+        const unsigned int n = element.functions.size();
+        for (unsigned int a = 0; a < n; ++a)
+          for (unsigned int b = 0; b < n; ++b)
+            {
+              double entry = 0.;
+              for (unsigned int q = 0; q < table_.points_per_element; ++q)
+                entry += density * element.values[q * n + a] *
+                         element.values[q * n + b] *
+                         table_.JxW[element.first_point + q];
+              for (unsigned int c = 0; c < 2; ++c)
+                mass.add(2 * element.functions[a] + c,
+                         2 * element.functions[b] + c,
+                         entry);
+            }
+      }
+  }
+
+
+
+  void
+  SolidAssembler::add_body_force(const Tensor<1, 2> &force,
+                                 Vector             &external) const
+  {
+    for (const auto &element : table_.elements)
+      for (unsigned int a = 0; a < element.functions.size(); ++a)
+        for (unsigned int q = 0; q < table_.points_per_element; ++q)
+          for (unsigned int c = 0; c < 2; ++c)
+            external(2 * element.functions[a] + c) +=
+              force[c] * element.values[q * element.functions.size() + a] *
+              table_.JxW[element.first_point + q];
+  }
+
+
+
+  const BasisTable &
+  SolidAssembler::table() const
+  {
+    return table_;
+  }
+
+
+
+  const SplineSpace &
+  SolidAssembler::space() const
+  {
+    return *space_;
+  }
+
+
+
+  const MaterialLaw &
+  SolidAssembler::law() const
+  {
+    return *law_;
+  }
+} // namespace asperity

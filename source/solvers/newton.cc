@@ -1,0 +1,165 @@
+#include <asperity/solvers/newton.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity
+{
+  namespace
+  {
+    using Vector = dealii::Vector<double>;
+
+    /** The search along one direction: u + a d. */
+    class LineSearch
+    {
+    public:
+      LineSearch(NonlinearSystem     &system,
+                 const NewtonOptions &options,
+                 NewtonStatistics    &statistics)
+        : system(system)
+        , options(options)
+        , statistics(statistics)
+      {}
+
+      /**
+       * On entry R = R(u); on success u and R are those of the accepted point
+       * and the tangent is the one there.
+       */
+      bool
+      advance(Vector &u, Vector &R, const Vector &d)
+      {
+        const double s0   = R * d;
+        const double norm = R.l2_norm();
+        const Vector u0   = u;
+        double       a = 1., low = 0., high = 1., s_low = s0, s_high = 0.;
+        bool         bracketed = false;
+        for (unsigned int trial = 0; trial < options.line_search_trials; ++trial)
+          {
+            u = u0;
+            u.add(a, d);
+            const bool first = (trial == 0);
+            const bool exists =
+              first ? system.linearize(u, R) : system.residual(u, R);
+            ++(first ? statistics.linearizations : statistics.residuals);
+            if (!exists)
+              {
+                high      = a;
+                bracketed = false;
+                a         = 0.5 * (low + a);
+                continue;
+              }
+            const double s = R * d;
+            if (acceptable(s, s0, R.l2_norm(), norm))
+              {
+                if (!first)
+                  {
+                    ++statistics.linearizations;
+                    return system.linearize(u, R);
+                  }
+                return true;
+              }
+            a = next(a, s, s0, low, high, s_low, s_high, bracketed);
+          }
+        return false;
+      }
+
+    private:
+      bool
+      acceptable(const double s,
+                 const double s0,
+                 const double norm,
+                 const double norm0) const
+      {
+        if (norm <= options.tolerance)
+          return true;
+        // An indefinite tangent can give a direction that climbs in energy;
+        // then only the residual can judge.
+        if (s0 >= 0.)
+          return norm < norm0;
+        return std::abs(s) <= options.line_search_tolerance * std::abs(s0);
+      }
+
+      /** Regula falsi between the signs of s, halving where there is none. */
+      static double
+      next(const double a,
+           const double s,
+           const double s0,
+           double      &low,
+           double      &high,
+           double      &s_low,
+           double      &s_high,
+           bool        &bracketed)
+      {
+        if (s0 < 0. && s < 0. && (bracketed || a < 1.))
+          {
+            low   = a;
+            s_low = s;
+          }
+        else
+          {
+            high      = a;
+            s_high    = s;
+            bracketed = s0 < 0. && s > 0.;
+          }
+        if (!bracketed)
+          return 0.5 * (low + high);
+        const double root = low - s_low * (high - low) / (s_high - s_low);
+        const double margin = 0.1 * (high - low);
+        return std::min(std::max(root, low + margin), high - margin);
+      }
+
+      NonlinearSystem     &system;
+      const NewtonOptions &options;
+      NewtonStatistics    &statistics;
+    };
+  } // namespace
+
+
+
+  ConvergenceReport
+  newton(NonlinearSystem     &system,
+         Vector              &u,
+         const NewtonOptions &options,
+         NewtonStatistics    &statistics)
+  {
+    ConvergenceReport report;
+    Vector            R(u.size()), d(u.size());
+    ++statistics.linearizations;
+    if (!system.linearize(u, R))
+      {
+        report.reason = "an element is inverted at the start of the iteration";
+        return report;
+      }
+    LineSearch line_search(system, options, statistics);
+    for (;; ++report.iterations)
+      {
+        report.residual = R.l2_norm();
+        if (!std::isfinite(report.residual))
+          {
+            report.reason = "the residual is not finite";
+            return report;
+          }
+        if (report.residual <= options.tolerance)
+          {
+            report.converged = true;
+            return report;
+          }
+        if (report.iterations == options.maximum_iterations)
+          {
+            report.reason = "the iteration limit was reached";
+            return report;
+          }
+        ++statistics.iterations;
+        if (!system.direction(R, d))
+          {
+            report.reason = "the tangent is singular";
+            return report;
+          }
+        if (!line_search.advance(u, R, d))
+          {
+            report.reason = "the line search found no better point";
+            return report;
+          }
+      }
+  }
+} // namespace asperity
