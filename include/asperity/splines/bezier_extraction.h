@@ -15,8 +15,8 @@ namespace asperity
    * span_functions(span), so N_a = sum_b C(a,b) B_b on the span mapped to
    * [0, 1]. Borden, Scott, Evans, Hughes, IJNME 87 (2011) 15-47.
    */
-  std::vector<dealii::FullMatrix<double>> bezier_extraction(
-    const KnotVector &knot_vector);
+  std::vector<dealii::FullMatrix<double>>
+  bezier_extraction(const KnotVector &knot_vector);
 
   /**
    * Two-scale relation to the dyadic refinement, one matrix a *fine* span:
@@ -24,8 +24,8 @@ namespace asperity
    * a counts span_functions(fine span / 2) of the coarse basis, b those of the
    * fine one.
    */
-  std::vector<dealii::FullMatrix<double>> two_scale_relation(
-    const KnotVector &coarse, const KnotVector &fine);
+  std::vector<dealii::FullMatrix<double>>
+  two_scale_relation(const KnotVector &coarse, const KnotVector &fine);
 } // namespace asperity
 
 #endif

@@ -25,44 +25,55 @@ namespace asperity
      * Throws InputError if degree < 1 or breakpoints do not increase or, when
      * periodic, if there are fewer than degree + 1 spans.
      */
-    KnotVector(const unsigned int degree,
+    KnotVector(const unsigned int         degree,
                const std::vector<double> &breakpoints,
-               const bool periodic = false);
+               const bool                 periodic = false);
 
     /** An open knot vector with any multiplicities; checked. */
-    static KnotVector from_knots(const unsigned int degree,
-                                 const std::vector<double> &knots);
+    static KnotVector
+    from_knots(const unsigned int degree, const std::vector<double> &knots);
 
-    unsigned int degree() const;
+    unsigned int
+    degree() const;
 
-    bool is_periodic() const;
+    bool
+    is_periodic() const;
 
     /** Distinct functions; of a periodic basis each counts once. */
-    unsigned int n_basis() const;
+    unsigned int
+    n_basis() const;
 
     /** Nonempty spans. */
-    unsigned int n_spans() const;
+    unsigned int
+    n_spans() const;
 
     /** Ends of the nonempty spans, n_spans() + 1 values. */
-    const std::vector<double> &breakpoints() const;
+    const std::vector<double> &
+    breakpoints() const;
 
     /** All knots; of a periodic basis those of the unwrapped one. */
-    const std::vector<double> &knots() const;
+    const std::vector<double> &
+    knots() const;
 
-    double front() const;
+    double
+    front() const;
 
-    double back() const;
+    double
+    back() const;
 
     /** Index of the nonempty span that holds t; wraps a periodic basis,
      *  clamps t to the ends of an open one. The last span is closed. */
-    unsigned int find_span(const double t) const;
+    unsigned int
+    find_span(const double t) const;
 
     /** t itself, or its image in [front, back) if periodic. */
-    double wrap(const double t) const;
+    double
+    wrap(const double t) const;
 
     /** The degree + 1 functions that live on a span, in order of their
      *  unwrapped index; wrapped to [0, n_basis()) if periodic. */
-    std::vector<unsigned int> span_functions(const unsigned int span) const;
+    std::vector<unsigned int>
+    span_functions(const unsigned int span) const;
 
     /**
      * Values and derivatives (Piegl and Tiller A2.3) of the degree + 1
@@ -71,24 +82,27 @@ namespace asperity
      * @return [k][j]: k-th derivative, 0 <= k <= n_derivatives, of the j-th
      *   function of span_functions(span)
      */
-    std::vector<std::vector<double>> evaluate(
-      const unsigned int span,
-      const double t,
-      const unsigned int n_derivatives = 0) const;
+    std::vector<std::vector<double>>
+    evaluate(const unsigned int span,
+             const double       t,
+             const unsigned int n_derivatives = 0) const;
 
     /** Greville abscissae, one a function: the control values of the identity
      *  (open), and of the identity modulo the period (periodic, unwrapped
      *  index 0 .. n_basis() - 1). */
-    std::vector<double> greville() const;
+    std::vector<double>
+    greville() const;
 
     /** Every span halved; continuity at old knots as before. */
-    KnotVector dyadic_refinement() const;
+    KnotVector
+    dyadic_refinement() const;
 
   private:
-    void finish();
+    void
+    finish();
 
-    unsigned int degree_ = 0;
-    bool periodic_       = false;
+    unsigned int        degree_   = 0;
+    bool                periodic_ = false;
     std::vector<double> knots_;
     std::vector<double> breakpoints_;
     std::vector<unsigned int>
