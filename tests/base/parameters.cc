@@ -1,160 +1,15 @@
-#include <asperity/base/errors.h>
-#include <asperity/base/parameters.h>
-
-#include <deal.II/base/parameter_handler.h>
-
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <sstream>
 
+#include "sample_parameters.h"
+
 using namespace asperity;
-
-namespace
-{
-  enum class Inertia
-  {
-    none,
-    full
-  };
-
-  /** One of each kind, in nested subsections, as the rooms do it. */
-  struct Sample
-  {
-    double pressure    = 300e6;
-    double temperature = 948.15;
-    std::optional<double> step;
-    Inertia inertia                  = Inertia::none;
-    bool restart                     = false;
-    double penalty                   = 20;
-    unsigned int spans               = 120;
-    std::optional<unsigned int> rows = 11;
-    std::string title                = "a run";
-    std::vector<double> heights      = {1e-6, 2.5e-6};
-    double density                   = 7850;
-    std::string height_map;
-
-    void declare(ParameterDeclarator &p)
-    {
-      p.text("Title", title, "What the run is called.");
-      {
-        const auto load = p.subsection("Load");
-        p.quantity("Pressure", pressure, "MPa", Range::positive(), "Load p.");
-        p.quantity("Temperature",
-                   temperature,
-                   "degC",
-                   Range::positive(),
-                   "Initial temperature of the chip.");
-        p.quantity(
-          "Time step", step, "us", Range::positive(), "Length of a step.");
-        p.choice("Inertia",
-                 inertia,
-                 {{"quasi-static", Inertia::none}, {"dynamic", Inertia::full}},
-                 "Whether mass resists.");
-        p.flag("Restart", restart, "Continue from the last checkpoint.");
-      }
-      const auto mesh = p.subsection("Mesh");
-      p.integer("Spans", spans, Range::at_least(2), "Knot spans along x.");
-      p.integer("Rows", rows, Range::at_least(1), "Rows in depth.");
-      p.list(
-        "Heights", heights, "um", Range::non_negative(), "Breakpoints in y.");
-      const auto contact = p.subsection("Contact");
-      p.number("Penalty",
-               penalty,
-               Range::between(0.1, 1000),
-               "Dimensionless penalty c in c E/h.");
-    }
-
-    void declare_mandatory(ParameterDeclarator &p)
-    {
-      const auto chip = p.subsection("Chip");
-      p.quantity("Density",
-                 density,
-                 "kg/m3",
-                 Range::positive(),
-                 "Mass density.",
-                 Need::mandatory);
-      p.file("Height map",
-             height_map,
-             "The measured surface.",
-             Need::mandatory);
-    }
-  };
-
-  struct Declared
-  {
-    dealii::ParameterHandler handler;
-    ParameterDeclarator parameters{handler};
-    Sample sample;
-
-    explicit Declared(const bool mandatory = false)
-    {
-      sample.declare(parameters);
-      if (mandatory)
-        sample.declare_mandatory(parameters);
-    }
-
-    std::string message_of(const std::string &text)
-    {
-      try
-      {
-        parameters.read_text(text, "x.prm");
-      }
-      catch (const InputError &error)
-      {
-        return error.what();
-      }
-      return "no error";
-    }
-  };
-
-  class ParameterFiles : public testing::Test
-  {
-  protected:
-    void SetUp() override
-    {
-      std::filesystem::create_directories(folder / "sub");
-    }
-
-    void TearDown() override
-    {
-      std::filesystem::remove_all(folder);
-    }
-
-    std::string write(const std::string &name, const std::string &text)
-    {
-      std::ofstream(folder / name) << text;
-      return (folder / name).string();
-    }
-
-    std::string message_of(const std::string &file)
-    {
-      Declared declared;
-      try
-      {
-        declared.parameters.read_file(file);
-      }
-      catch (const InputError &error)
-      {
-        return error.what();
-      }
-      return "no error";
-    }
-
-    // a folder for each test, as ctest runs them at the same time
-    const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() /
-      (std::string("asperity_parameters_") +
-       testing::UnitTest::GetInstance()->current_test_info()->name());
-  };
-} // namespace
 
 TEST(Parameters, defaults_are_the_values_of_the_struct)
 {
   const Declared declared;
-  const Sample fresh;
+  const Sample   fresh;
   EXPECT_EQ(declared.sample.pressure, fresh.pressure);
   EXPECT_EQ(declared.sample.temperature, fresh.temperature);
   EXPECT_FALSE(declared.sample.step);
@@ -307,8 +162,8 @@ TEST(Parameters, an_entry_is_set_by_its_path)
 TEST(Parameters, a_wrong_default_or_a_second_declaration_is_a_programming_error)
 {
   dealii::ParameterHandler handler;
-  ParameterDeclarator parameters(handler);
-  double negative = -1, positive = 1;
+  ParameterDeclarator      parameters(handler);
+  double                   negative = -1, positive = 1;
   EXPECT_THROW(parameters.number("a", negative, Range::positive(), "A."),
                std::logic_error);
   parameters.number("b", positive, Range::positive(), "B.");
@@ -345,12 +200,12 @@ TEST(Parameters, the_written_file_read_again_gives_the_same_values)
 
 TEST(Parameters, the_written_file_is_one_that_deal_ii_reads)
 {
-  Declared declared;
+  Declared           declared;
   std::ostringstream written;
   declared.parameters.write_prm(written);
   dealii::ParameterHandler handler;
-  Sample sample;
-  ParameterDeclarator parameters(handler);
+  Sample                   sample;
+  ParameterDeclarator      parameters(handler);
   sample.declare(parameters);
   handler.parse_input_from_string(written.str());
   EXPECT_EQ(handler.get({"Mesh", "Contact"}, "Penalty"), "20");
@@ -358,7 +213,7 @@ TEST(Parameters, the_written_file_is_one_that_deal_ii_reads)
 
 TEST(Parameters, the_reference_holds_default_range_and_meaning)
 {
-  Declared declared(true);
+  Declared           declared(true);
   std::ostringstream out;
   declared.parameters.write_markdown(out);
   const std::string reference = out.str();
@@ -372,71 +227,4 @@ TEST(Parameters, the_reference_holds_default_range_and_meaning)
         "| Density | **mandatory** | density: more than 0 kg/m3 | Mass "
         "density. |\n"})
     EXPECT_NE(reference.find(line), std::string::npos) << line << reference;
-}
-
-TEST_F(ParameterFiles, included_files_are_relative_and_later_lines_override)
-{
-  write("sub/common.prm",
-        "include materials.prm\nsubsection Load\n set Pressure = 2 MPa\nend\n");
-  write("sub/materials.prm", "set Title = steel\n");
-  const std::string file =
-    write("main.prm",
-          "include sub/common.prm\nsubsection Load\n set Pressure = 7 MPa\n"
-          "end\n");
-  Declared declared;
-  declared.parameters.read_file(file);
-  EXPECT_EQ(declared.sample.title, "steel");
-  EXPECT_EQ(declared.sample.pressure, 7e6);
-}
-
-TEST_F(ParameterFiles, an_error_names_the_included_file)
-{
-  const std::string inner = write("sub/common.prm", "\n\nset Titel = x\n");
-  const std::string file  = write("main.prm", "include sub/common.prm\n");
-  EXPECT_EQ(message_of(file),
-            inner +
-              ", line 3: There is no entry 'Titel' at the top level; did "
-              "you mean 'Title' at the top level?");
-}
-
-TEST_F(ParameterFiles, a_file_that_includes_itself_is_refused)
-{
-  write("sub/b.prm", "include ../a.prm\n");
-  const std::string file    = write("a.prm", "include sub/b.prm\n");
-  const std::string message = message_of(file);
-  EXPECT_EQ(message,
-            (folder / "sub/b.prm").string() + ", line 1: The file '" + file +
-              "' includes itself.");
-}
-
-TEST_F(ParameterFiles, missing_files_and_folders_are_named)
-{
-  const std::string missing = (folder / "none.prm").string();
-  EXPECT_EQ(message_of(missing),
-            "The parameter file '" + missing +
-              "' does not exist or cannot be read.");
-  EXPECT_EQ(message_of(folder.string()),
-            "The parameter file '" + folder.string() + "' is a folder.");
-  const std::string file = write("main.prm", "\ninclude none.prm\n");
-  EXPECT_EQ(message_of(file),
-            file + ", line 2: The parameter file '" + missing +
-              "' does not exist or cannot be read.");
-}
-
-TEST_F(ParameterFiles, input_files_are_relative_to_the_file_that_names_them)
-{
-  const std::string map  = write("sub/scan.csv", "1,2\n");
-  const std::string file = write("sub/main.prm",
-                                 "subsection Chip\n set Density = 1 g/cm3\n"
-                                 " set Height map = scan.csv\nend\n");
-  Declared declared(true);
-  declared.parameters.read_file(file);
-  EXPECT_TRUE(std::filesystem::equivalent(declared.sample.height_map, map));
-
-  // the complete file is written elsewhere and must still find it
-  std::ostringstream written;
-  declared.parameters.write_prm(written);
-  Declared again(true);
-  again.parameters.read_file(write("parameters.prm", written.str()));
-  EXPECT_TRUE(std::filesystem::equivalent(again.sample.height_map, map));
 }

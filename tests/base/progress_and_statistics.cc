@@ -45,7 +45,7 @@ TEST(Progress, a_terminal_line_is_rewritten_in_place)
 TEST(Progress, a_silent_line_prints_nothing)
 {
   std::ostringstream out;
-  ProgressLine progress(out, ProgressLine::Mode::silent);
+  ProgressLine       progress(out, ProgressLine::Mode::silent);
   progress.update(1., "all");
   progress.note("nothing");
   EXPECT_TRUE(out.str().empty());

@@ -9,16 +9,17 @@ using namespace asperity;
 
 namespace
 {
-  std::string message_of(const std::string &text, const Dimension dimension)
+  std::string
+  message_of(const std::string &text, const Dimension dimension)
   {
     try
-    {
-      parse_quantity(text, dimension);
-    }
+      {
+        parse_quantity(text, dimension);
+      }
     catch (const InputError &error)
-    {
-      return error.what();
-    }
+      {
+        return error.what();
+      }
     return "no error";
   }
 } // namespace
@@ -63,17 +64,17 @@ TEST(Quantity, other_spellings_of_a_unit_are_understood)
 TEST(Quantity, every_unit_converts_there_and_back)
 {
   for (int d = 0; d <= static_cast<int>(Dimension::heat_transfer); ++d)
-  {
-    const auto dimension = static_cast<Dimension>(d);
-    ASSERT_FALSE(accepted_units(dimension).empty()) << to_string(dimension);
-    EXPECT_EQ(to_si(1., accepted_units(dimension).front()), 1.)
-      << "the first unit is the SI unit: " << to_string(dimension);
-    for (const std::string &unit : accepted_units(dimension))
     {
-      EXPECT_EQ(dimension_of(unit), dimension) << unit;
-      EXPECT_NEAR(from_si(to_si(12.5, unit), unit), 12.5, 1e-12) << unit;
+      const auto dimension = static_cast<Dimension>(d);
+      ASSERT_FALSE(accepted_units(dimension).empty()) << to_string(dimension);
+      EXPECT_EQ(to_si(1., accepted_units(dimension).front()), 1.)
+        << "the first unit is the SI unit: " << to_string(dimension);
+      for (const std::string &unit : accepted_units(dimension))
+        {
+          EXPECT_EQ(dimension_of(unit), dimension) << unit;
+          EXPECT_NEAR(from_si(to_si(12.5, unit), unit), 12.5, 1e-12) << unit;
+        }
     }
-  }
 }
 
 TEST(Quantity, printed_quantities_read_back_as_the_same_number)

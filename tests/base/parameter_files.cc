@@ -1,0 +1,122 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "sample_parameters.h"
+
+using namespace asperity;
+
+namespace
+{
+  class ParameterFiles : public testing::Test
+  {
+  protected:
+    void
+    SetUp() override
+    {
+      std::filesystem::create_directories(folder / "sub");
+    }
+
+    void
+    TearDown() override
+    {
+      std::filesystem::remove_all(folder);
+    }
+
+    std::string
+    write(const std::string &name, const std::string &text)
+    {
+      std::ofstream(folder / name) << text;
+      return (folder / name).string();
+    }
+
+    std::string
+    message_of(const std::string &file)
+    {
+      Declared declared;
+      try
+        {
+          declared.parameters.read_file(file);
+        }
+      catch (const InputError &error)
+        {
+          return error.what();
+        }
+      return "no error";
+    }
+
+    // a folder for each test, as ctest runs them at the same time
+    const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() /
+      (std::string("asperity_parameters_") +
+       testing::UnitTest::GetInstance()->current_test_info()->name());
+  };
+} // namespace
+
+TEST_F(ParameterFiles, included_files_are_relative_and_later_lines_override)
+{
+  write("sub/common.prm",
+        "include materials.prm\nsubsection Load\n set Pressure = 2 MPa\nend\n");
+  write("sub/materials.prm", "set Title = steel\n");
+  const std::string file =
+    write("main.prm",
+          "include sub/common.prm\nsubsection Load\n set Pressure = 7 MPa\n"
+          "end\n");
+  Declared declared;
+  declared.parameters.read_file(file);
+  EXPECT_EQ(declared.sample.title, "steel");
+  EXPECT_EQ(declared.sample.pressure, 7e6);
+}
+
+TEST_F(ParameterFiles, an_error_names_the_included_file)
+{
+  const std::string inner = write("sub/common.prm", "\n\nset Titel = x\n");
+  const std::string file  = write("main.prm", "include sub/common.prm\n");
+  EXPECT_EQ(message_of(file),
+            inner + ", line 3: There is no entry 'Titel' at the top level; did "
+                    "you mean 'Title' at the top level?");
+}
+
+TEST_F(ParameterFiles, a_file_that_includes_itself_is_refused)
+{
+  write("sub/b.prm", "include ../a.prm\n");
+  const std::string file    = write("a.prm", "include sub/b.prm\n");
+  const std::string message = message_of(file);
+  EXPECT_EQ(message,
+            (folder / "sub/b.prm").string() + ", line 1: The file '" + file +
+              "' includes itself.");
+}
+
+TEST_F(ParameterFiles, missing_files_and_folders_are_named)
+{
+  const std::string missing = (folder / "none.prm").string();
+  EXPECT_EQ(message_of(missing),
+            "The parameter file '" + missing +
+              "' does not exist or cannot be read.");
+  EXPECT_EQ(message_of(folder.string()),
+            "The parameter file '" + folder.string() + "' is a folder.");
+  const std::string file = write("main.prm", "\ninclude none.prm\n");
+  EXPECT_EQ(message_of(file),
+            file + ", line 2: The parameter file '" + missing +
+              "' does not exist or cannot be read.");
+}
+
+TEST_F(ParameterFiles, input_files_are_relative_to_the_file_that_names_them)
+{
+  const std::string map  = write("sub/scan.csv", "1,2\n");
+  const std::string file = write("sub/main.prm",
+                                 "subsection Chip\n set Density = 1 g/cm3\n"
+                                 " set Height map = scan.csv\nend\n");
+  Declared          declared(true);
+  declared.parameters.read_file(file);
+  EXPECT_TRUE(std::filesystem::equivalent(declared.sample.height_map, map));
+
+  // the complete file is written elsewhere and must still find it
+  std::ostringstream written;
+  declared.parameters.write_prm(written);
+  Declared again(true);
+  again.parameters.read_file(write("parameters.prm", written.str()));
+  EXPECT_TRUE(std::filesystem::equivalent(again.sample.height_map, map));
+}
