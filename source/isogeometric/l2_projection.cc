@@ -10,38 +10,39 @@
 
 namespace asperity
 {
-  std::vector<unsigned int> edge_bernstein(const unsigned int degree,
-                                           const Edge edge)
+  std::vector<unsigned int>
+  edge_bernstein(const unsigned int degree, const Edge edge)
   {
-    const unsigned int n = degree + 1;
+    const unsigned int        n = degree + 1;
     std::vector<unsigned int> result(n);
     for (unsigned int k = 0; k < n; ++k)
       switch (edge)
-      {
-        case Edge::left:
-          result[k] = k * n;
-          break;
-        case Edge::right:
-          result[k] = k * n + degree;
-          break;
-        case Edge::bottom:
-          result[k] = k;
-          break;
-        case Edge::top:
-          result[k] = degree * n + k;
-          break;
-      }
+        {
+          case Edge::left:
+            result[k] = k * n;
+            break;
+          case Edge::right:
+            result[k] = k * n + degree;
+            break;
+          case Edge::bottom:
+            result[k] = k;
+            break;
+          case Edge::top:
+            result[k] = degree * n + k;
+            break;
+        }
     return result;
   }
 
 
 
-  std::vector<unsigned int> trace_rows(const SplineHierarchy &hierarchy,
-                                       const unsigned int cell,
-                                       const Edge edge)
+  std::vector<unsigned int>
+  trace_rows(const SplineHierarchy &hierarchy,
+             const unsigned int     cell,
+             const Edge             edge)
   {
     const auto &extraction = hierarchy.cell_extraction(cell);
-    const auto on_edge     = edge_bernstein(hierarchy.degree(), edge);
+    const auto  on_edge    = edge_bernstein(hierarchy.degree(), edge);
     std::vector<unsigned int> rows;
     for (unsigned int a = 0; a < extraction.m(); ++a)
       if (std::any_of(on_edge.begin(),
@@ -55,8 +56,8 @@ namespace asperity
 
 
 
-  std::vector<unsigned int> edge_cells(const SplineHierarchy &hierarchy,
-                                       const Edge edge)
+  std::vector<unsigned int>
+  edge_cells(const SplineHierarchy &hierarchy, const Edge edge)
   {
     const unsigned int normal =
       (edge == Edge::left || edge == Edge::right) ? 0 : 1;
@@ -64,14 +65,14 @@ namespace asperity
 
     std::vector<std::pair<double, unsigned int>> found;
     for (unsigned int cell = 0; cell < hierarchy.n_cells(); ++cell)
-    {
-      const CellIndex &index  = hierarchy.cell_index(cell);
-      const unsigned int span = normal == 0 ? index.i : index.j;
-      const unsigned int last =
-        hierarchy.knots(index.level, normal).n_spans() - 1;
-      if (span == (at_end ? last : 0))
-        found.emplace_back(hierarchy.cell_box(cell).first[1 - normal], cell);
-    }
+      {
+        const CellIndex   &index = hierarchy.cell_index(cell);
+        const unsigned int span  = normal == 0 ? index.i : index.j;
+        const unsigned int last =
+          hierarchy.knots(index.level, normal).n_spans() - 1;
+        if (span == (at_end ? last : 0))
+          found.emplace_back(hierarchy.cell_box(cell).first[1 - normal], cell);
+      }
     std::sort(found.begin(), found.end());
     std::vector<unsigned int> cells;
     for (const auto &entry : found)
@@ -81,7 +82,8 @@ namespace asperity
 
 
 
-  std::vector<Edge> boundary_edges(const SplineHierarchy &hierarchy)
+  std::vector<Edge>
+  boundary_edges(const SplineHierarchy &hierarchy)
   {
     if (hierarchy.periodic_x())
       return {Edge::bottom, Edge::top};
@@ -90,7 +92,8 @@ namespace asperity
 
 
 
-  dealii::FullMatrix<double> bernstein_gramian(const unsigned int degree)
+  dealii::FullMatrix<double>
+  bernstein_gramian(const unsigned int degree)
   {
     const auto binomial = [](const unsigned int n, const unsigned int k) {
       double result = 1.;
@@ -102,7 +105,7 @@ namespace asperity
     for (unsigned int a = 0; a <= degree; ++a)
       for (unsigned int b = 0; b <= degree; ++b)
         gramian(a, b) = binomial(degree, a) * binomial(degree, b) /
-          (binomial(2 * degree, a + b) * (2 * degree + 1));
+                        (binomial(2 * degree, a + b) * (2 * degree + 1));
     return gramian;
   }
 
@@ -112,58 +115,59 @@ namespace asperity
   {
     /** Calls add(global i, global j, value) for the products of functions. */
     template <typename Add>
-    void assemble(const SplineHierarchy &hierarchy,
-                  const double edge_weight,
-                  const Add &add)
+    void
+    assemble(const SplineHierarchy &hierarchy,
+             const double           edge_weight,
+             const Add             &add)
     {
       const auto gramian = bernstein_gramian(hierarchy.degree());
       dealii::FullMatrix<double> product;
       for (unsigned int cell = 0; cell < hierarchy.n_cells(); ++cell)
-      {
-        const auto &functions  = hierarchy.cell_functions(cell);
-        const auto &extraction = hierarchy.cell_extraction(cell);
-        const auto [low, high] = hierarchy.cell_box(cell);
-        const double area      = (high[0] - low[0]) * (high[1] - low[1]);
-        const auto weighted    = tensor_transform(extraction, gramian, gramian);
-        product.reinit(functions.size(), functions.size());
-        weighted.mTmult(product, extraction);
-        for (unsigned int a = 0; a < functions.size(); ++a)
-          for (unsigned int b = 0; b < functions.size(); ++b)
-            add(functions[a], functions[b], area * product(a, b));
-      }
-      if (edge_weight == 0.)
-        return;
-      for (const Edge edge : boundary_edges(hierarchy))
-      {
-        const auto on_edge = edge_bernstein(hierarchy.degree(), edge);
-        for (const unsigned int cell : edge_cells(hierarchy, edge))
         {
           const auto &functions  = hierarchy.cell_functions(cell);
           const auto &extraction = hierarchy.cell_extraction(cell);
           const auto [low, high] = hierarchy.cell_box(cell);
-          // The length of the face times the width normal to it.
-          const double weight =
-            edge_weight * (high[0] - low[0]) * (high[1] - low[1]);
-          const auto rows = trace_rows(hierarchy, cell, edge);
-          for (const unsigned int a : rows)
-            for (const unsigned int b : rows)
+          const double area      = (high[0] - low[0]) * (high[1] - low[1]);
+          const auto weighted = tensor_transform(extraction, gramian, gramian);
+          product.reinit(functions.size(), functions.size());
+          weighted.mTmult(product, extraction);
+          for (unsigned int a = 0; a < functions.size(); ++a)
+            for (unsigned int b = 0; b < functions.size(); ++b)
+              add(functions[a], functions[b], area * product(a, b));
+        }
+      if (edge_weight == 0.)
+        return;
+      for (const Edge edge : boundary_edges(hierarchy))
+        {
+          const auto on_edge = edge_bernstein(hierarchy.degree(), edge);
+          for (const unsigned int cell : edge_cells(hierarchy, edge))
             {
-              double sum = 0.;
-              for (unsigned int k = 0; k < on_edge.size(); ++k)
-                for (unsigned int l = 0; l < on_edge.size(); ++l)
-                  sum += extraction(a, on_edge[k]) * gramian(k, l) *
-                    extraction(b, on_edge[l]);
-              add(functions[a], functions[b], weight * sum);
+              const auto &functions  = hierarchy.cell_functions(cell);
+              const auto &extraction = hierarchy.cell_extraction(cell);
+              const auto [low, high] = hierarchy.cell_box(cell);
+              // The length of the face times the width normal to it.
+              const double weight =
+                edge_weight * (high[0] - low[0]) * (high[1] - low[1]);
+              const auto rows = trace_rows(hierarchy, cell, edge);
+              for (const unsigned int a : rows)
+                for (const unsigned int b : rows)
+                  {
+                    double sum = 0.;
+                    for (unsigned int k = 0; k < on_edge.size(); ++k)
+                      for (unsigned int l = 0; l < on_edge.size(); ++l)
+                        sum += extraction(a, on_edge[k]) * gramian(k, l) *
+                               extraction(b, on_edge[l]);
+                    add(functions[a], functions[b], weight * sum);
+                  }
             }
         }
-      }
     }
   } // namespace
 
 
 
   L2Projection::L2Projection(const SplineHierarchy &hierarchy,
-                             const double edge_weight)
+                             const double           edge_weight)
   {
     dealii::DynamicSparsityPattern pattern(hierarchy.n_functions());
     for (unsigned int cell = 0; cell < hierarchy.n_cells(); ++cell)
@@ -183,8 +187,8 @@ namespace asperity
 
 
 
-  dealii::FullMatrix<double> L2Projection::gramian(
-    const SplineHierarchy &hierarchy)
+  dealii::FullMatrix<double>
+  L2Projection::gramian(const SplineHierarchy &hierarchy)
   {
     dealii::FullMatrix<double> matrix(hierarchy.n_functions(),
                                       hierarchy.n_functions());
@@ -198,7 +202,8 @@ namespace asperity
 
 
 
-  void L2Projection::solve(dealii::Vector<double> &right_hand_side) const
+  void
+  L2Projection::solve(dealii::Vector<double> &right_hand_side) const
   {
     factorization.solve(right_hand_side);
   }

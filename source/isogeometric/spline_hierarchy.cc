@@ -1,415 +1,148 @@
 #include <asperity/isogeometric/bernstein.h>
 #include <asperity/isogeometric/spline_hierarchy.h>
-#include <asperity/splines/bezier_extraction.h>
 
-#include <deal.II/base/exceptions.h>
-#include <deal.II/base/numbers.h>
-
-#include <algorithm>
 #include <cmath>
 
 namespace asperity
 {
-  namespace
-  {
-    constexpr unsigned int inactive = dealii::numbers::invalid_unsigned_int;
-
-    // Coefficients of B-splines are of size one; what is smaller than this is
-    // rounding and would only widen the sparsity pattern.
-    constexpr double zero_coefficient = 1e-14;
-  } // namespace
-
-
-
-  SplineHierarchy::Level::Level(const std::array<KnotVector, 2> &knots)
-    : knots(knots)
-  {
-    for (unsigned int d = 0; d < 2; ++d)
-    {
-      extraction[d] = bezier_extraction(knots[d]);
-      support[d].resize(knots[d].n_basis(), 0);
-      for (unsigned int span = 0; span < knots[d].n_spans(); ++span)
-      {
-        functions[d].push_back(knots[d].span_functions(span));
-        for (const unsigned int function : functions[d].back())
-          ++support[d][function];
-      }
-    }
-  }
-
-
-
-  SplineHierarchy::SplineHierarchy(const KnotVector &knots_x,
-                                   const KnotVector &knots_y,
-                                   const std::vector<CellIndex> &cell_indices)
-  {
-    cells.resize(cell_indices.size());
-    for (unsigned int c = 0; c < cells.size(); ++c)
-      cells[c].index = cell_indices[c];
-    build_levels(knots_x, knots_y);
-    build_tree();
-    select_functions();
-    const unsigned int n_roots = knots_x.n_spans() * knots_y.n_spans();
-    for (unsigned int root = 0; root < n_roots; ++root)
-      extract(tree[root], {}, dealii::FullMatrix<double>());
-    find_homes();
-  }
-
-
-
-  void SplineHierarchy::build_levels(const KnotVector &knots_x,
-                                     const KnotVector &knots_y)
-  {
-    unsigned int finest = 0;
-    for (const Cell &cell : cells)
-      finest = std::max(finest, cell.index.level);
-    levels.emplace_back(std::array<KnotVector, 2>{{knots_x, knots_y}});
-    for (unsigned int l = 1; l <= finest; ++l)
-    {
-      const std::array<KnotVector, 2> coarse = levels.back().knots;
-      levels.emplace_back(std::array<KnotVector, 2>{
-        {coarse[0].dyadic_refinement(), coarse[1].dyadic_refinement()}});
-      for (unsigned int d = 0; d < 2; ++d)
-        levels[l].two_scale[d] =
-          two_scale_relation(coarse[d], levels[l].knots[d]);
-    }
-  }
-
-
-
-  void SplineHierarchy::build_tree()
-  {
-    const unsigned int n_x = levels[0].knots[0].n_spans();
-    const unsigned int n_y = levels[0].knots[1].n_spans();
-    for (unsigned int j = 0; j < n_y; ++j)
-      for (unsigned int i = 0; i < n_x; ++i)
-      {
-        Node root;
-        root.index = {0, i, j};
-        tree.push_back(root);
-      }
-    for (unsigned int c = 0; c < cells.size(); ++c)
-    {
-      const CellIndex index = cells[c].index;
-      unsigned int node =
-        (index.j >> index.level) * n_x + (index.i >> index.level);
-      for (unsigned int l = 1; l <= index.level; ++l)
-      {
-        const unsigned int shift = index.level - l;
-        const CellIndex child    = {l, index.i >> shift, index.j >> shift};
-        const unsigned int place = 2 * (child.j % 2) + child.i % 2;
-        if (tree[node].children[place] < 0)
-        {
-          tree[node].children[place] = tree.size();
-          Node next;
-          next.index  = child;
-          next.parent = node;
-          tree.push_back(next);
-        }
-        node = tree[node].children[place];
-      }
-      tree[node].cell = c;
-    }
-  }
-
-
-
-  std::vector<std::uint64_t> SplineHierarchy::bsplines_of(
-    const CellIndex &index) const
-  {
-    const Level &level      = levels[index.level];
-    const std::uint64_t n_x = level.knots[0].n_basis();
-    std::vector<std::uint64_t> result;
-    for (const unsigned int f_y : level.functions[1][index.j])
-      for (const unsigned int f_x : level.functions[0][index.i])
-        result.push_back(f_y * n_x + f_x);
-    return result;
-  }
-
-
-
-  void SplineHierarchy::select_functions()
-  {
-    // A support lies inside Omega^l if all its cells of level l exist; it is
-    // not inside Omega^(l+1) if one of them is active.
-    struct Count
-    {
-      unsigned int n_cells = 0;
-      bool active_cell     = false;
-    };
-    std::vector<std::unordered_map<std::uint64_t, Count>> counts(levels.size());
-    for (const Node &node : tree)
-      for (const std::uint64_t bspline : bsplines_of(node.index))
-      {
-        Count &count = counts[node.index.level][bspline];
-        ++count.n_cells;
-        count.active_cell = count.active_cell || node.cell >= 0;
-      }
-    for (unsigned int l = 0; l < levels.size(); ++l)
-    {
-      Level &level            = levels[l];
-      const std::uint64_t n_x = level.knots[0].n_basis();
-      std::vector<std::uint64_t> active;
-      for (const auto &[bspline, count] : counts[l])
-        if (count.n_cells ==
-            level.support[0][bspline % n_x] * level.support[1][bspline / n_x])
-        {
-          level.inside[bspline] = inactive;
-          if (count.active_cell)
-            active.push_back(bspline);
-        }
-      std::sort(active.begin(), active.end());
-      for (const std::uint64_t bspline : active)
-      {
-        level.inside[bspline] = level_of_function.size();
-        level_of_function.push_back(l);
-      }
-    }
-  }
-
-
-
-  void SplineHierarchy::extract(
-    const Node &node,
-    const std::vector<unsigned int> &coarse_functions,
-    const dealii::FullMatrix<double> &coarse_operators)
-  {
-    const Level &level                        = levels[node.index.level];
-    const std::vector<std::uint64_t> bsplines = bsplines_of(node.index);
-    const unsigned int n                      = bsplines.size();
-
-    dealii::FullMatrix<double> refined;
-    if (coarse_functions.size() > 0)
-      refined = tensor_transform(coarse_operators,
-                                 level.two_scale[0][node.index.i],
-                                 level.two_scale[1][node.index.j]);
-
-    std::vector<unsigned int> functions;
-    std::vector<std::vector<double>> rows;
-    std::vector<unsigned int> own(n, inactive);
-    std::vector<bool> truncated(n, false);
-    for (unsigned int b = 0; b < n; ++b)
-      if (const auto it = level.inside.find(bsplines[b]);
-          it != level.inside.end())
-      {
-        truncated[b] = true;
-        own[b]       = it->second;
-      }
-    for (unsigned int a = 0; a < coarse_functions.size(); ++a)
-    {
-      std::vector<double> row(n, 0.);
-      bool vanishes = true;
-      for (unsigned int b = 0; b < n; ++b)
-        if (!truncated[b] && std::abs(refined(a, b)) > zero_coefficient)
-        {
-          row[b]   = refined(a, b);
-          vanishes = false;
-        }
-      if (!vanishes)
-      {
-        functions.push_back(coarse_functions[a]);
-        rows.push_back(std::move(row));
-      }
-    }
-    for (unsigned int b = 0; b < n; ++b)
-      if (own[b] != inactive)
-      {
-        functions.push_back(own[b]);
-        rows.emplace_back(n, 0.);
-        rows.back()[b] = 1.;
-      }
-
-    dealii::FullMatrix<double> operators(rows.size(), n);
-    for (unsigned int a = 0; a < rows.size(); ++a)
-      for (unsigned int b = 0; b < n; ++b)
-        operators(a, b) = rows[a][b];
-
-    if (node.cell >= 0)
-    {
-      Cell &cell      = cells[node.cell];
-      cell.functions  = functions;
-      cell.extraction = tensor_transform(operators,
-                                         level.extraction[0][node.index.i],
-                                         level.extraction[1][node.index.j]);
-      return;
-    }
-    for (const int child : node.children)
-    {
-      Assert(child >= 0, dealii::ExcMessage("The cells leave a hole."));
-      extract(tree[child], functions, operators);
-    }
-  }
-
-
-
-  void SplineHierarchy::find_homes()
-  {
-    homes.assign(n_functions(), {inactive, inactive});
-    std::vector<double> share(n_functions(), -1.);
-    for (unsigned int c = 0; c < n_cells(); ++c)
-    {
-      const CellIndex &index                    = cells[c].index;
-      const std::vector<std::uint64_t> bsplines = bsplines_of(index);
-      const auto &inside                        = levels[index.level].inside;
-      const auto box                            = cell_box(c);
-      const double area =
-        (box.second[0] - box.first[0]) * (box.second[1] - box.first[1]);
-      const auto &extraction_x = span_extraction(index.level, 0, index.i);
-      const auto &extraction_y = span_extraction(index.level, 1, index.j);
-      const unsigned int n     = degree() + 1;
-      for (unsigned int b = 0; b < bsplines.size(); ++b)
-      {
-        const auto it = inside.find(bsplines[b]);
-        if (it == inside.end() || it->second == inactive)
-          continue;
-        // The integral of a polynomial is the mean of its coefficients.
-        double sum_x = 0, sum_y = 0;
-        for (unsigned int k = 0; k < n; ++k)
-        {
-          sum_x += extraction_x(b % n, k);
-          sum_y += extraction_y(b / n, k);
-        }
-        // The margin makes equal shares choose the first cell.
-        const double integral = sum_x * sum_y * area;
-        if (integral > share[it->second] * (1. + 1e-10))
-        {
-          share[it->second] = integral;
-          homes[it->second] = {c, b};
-        }
-      }
-    }
-  }
-
-
-
-  unsigned int SplineHierarchy::degree() const
+  unsigned int
+  SplineHierarchy::degree() const
   {
     return levels[0].knots[0].degree();
   }
 
 
 
-  bool SplineHierarchy::periodic_x() const
+  bool
+  SplineHierarchy::periodic_x() const
   {
     return levels[0].knots[0].is_periodic();
   }
 
 
 
-  unsigned int SplineHierarchy::n_levels() const
+  unsigned int
+  SplineHierarchy::n_levels() const
   {
     return levels.size();
   }
 
 
 
-  unsigned int SplineHierarchy::n_functions() const
+  unsigned int
+  SplineHierarchy::n_functions() const
   {
     return level_of_function.size();
   }
 
 
 
-  unsigned int SplineHierarchy::n_cells() const
+  unsigned int
+  SplineHierarchy::n_cells() const
   {
     return cells.size();
   }
 
 
 
-  const KnotVector &SplineHierarchy::knots(const unsigned int level,
-                                           const unsigned int direction) const
+  const KnotVector &
+  SplineHierarchy::knots(const unsigned int level,
+                         const unsigned int direction) const
   {
     return levels[level].knots[direction];
   }
 
 
 
-  const CellIndex &SplineHierarchy::cell_index(const unsigned int cell) const
+  const CellIndex &
+  SplineHierarchy::cell_index(const unsigned int cell) const
   {
     return cells[cell].index;
   }
 
 
 
-  std::pair<dealii::Point<2>, dealii::Point<2>> SplineHierarchy::cell_box(
-    const unsigned int cell) const
+  std::pair<dealii::Point<2>, dealii::Point<2>>
+  SplineHierarchy::cell_box(const unsigned int cell) const
   {
     const CellIndex &index = cells[cell].index;
-    const auto &x          = levels[index.level].knots[0].breakpoints();
-    const auto &y          = levels[index.level].knots[1].breakpoints();
+    const auto      &x     = levels[index.level].knots[0].breakpoints();
+    const auto      &y     = levels[index.level].knots[1].breakpoints();
     return {dealii::Point<2>(x[index.i], y[index.j]),
             dealii::Point<2>(x[index.i + 1], y[index.j + 1])};
   }
 
 
 
-  const std::vector<unsigned int> &SplineHierarchy::cell_functions(
-    const unsigned int cell) const
+  const std::vector<unsigned int> &
+  SplineHierarchy::cell_functions(const unsigned int cell) const
   {
     return cells[cell].functions;
   }
 
 
 
-  const dealii::FullMatrix<double> &SplineHierarchy::cell_extraction(
-    const unsigned int cell) const
+  const dealii::FullMatrix<double> &
+  SplineHierarchy::cell_extraction(const unsigned int cell) const
   {
     return cells[cell].extraction;
   }
 
 
 
-  unsigned int SplineHierarchy::function_level(
-    const unsigned int function) const
+  unsigned int
+  SplineHierarchy::function_level(const unsigned int function) const
   {
     return level_of_function[function];
   }
 
 
 
-  const std::pair<unsigned int, unsigned int> &SplineHierarchy::function_home(
-    const unsigned int function) const
+  const std::pair<unsigned int, unsigned int> &
+  SplineHierarchy::function_home(const unsigned int function) const
   {
     return homes[function];
   }
 
 
 
-  const dealii::FullMatrix<double> &SplineHierarchy::span_extraction(
-    const unsigned int level,
-    const unsigned int direction,
-    const unsigned int span) const
+  const dealii::FullMatrix<double> &
+  SplineHierarchy::span_extraction(const unsigned int level,
+                                   const unsigned int direction,
+                                   const unsigned int span) const
   {
     return levels[level].extraction[direction][span];
   }
 
 
 
-  const std::vector<SplineHierarchy::Node> &SplineHierarchy::nodes() const
+  const std::vector<SplineHierarchy::Node> &
+  SplineHierarchy::nodes() const
   {
     return tree;
   }
 
 
 
-  unsigned int SplineHierarchy::find_node(const CellIndex &index) const
+  unsigned int
+  SplineHierarchy::find_node(const CellIndex &index) const
   {
     unsigned int node = (index.j >> index.level) * knots(0, 0).n_spans() +
-      (index.i >> index.level);
+                        (index.i >> index.level);
     for (unsigned int l = 1; l <= index.level && tree[node].cell < 0; ++l)
-    {
-      const unsigned int shift = index.level - l;
-      node                     = tree[node]
-               .children[2 * ((index.j >> shift) % 2) + (index.i >> shift) % 2];
-    }
+      {
+        const unsigned int shift = index.level - l;
+        node =
+          tree[node]
+            .children[2 * ((index.j >> shift) % 2) + (index.i >> shift) % 2];
+      }
     return node;
   }
 
 
 
-  unsigned int SplineHierarchy::find_cell(
-    const dealii::Point<2> &parameter) const
+  unsigned int
+  SplineHierarchy::find_cell(const dealii::Point<2> &parameter) const
   {
     const unsigned int finest = n_levels() - 1;
     return tree[find_node({finest,
@@ -420,42 +153,44 @@ namespace asperity
 
 
 
-  dealii::Point<2> SplineHierarchy::to_unit_cell(
-    const unsigned int cell, const dealii::Point<2> &parameter) const
+  dealii::Point<2>
+  SplineHierarchy::to_unit_cell(const unsigned int      cell,
+                                const dealii::Point<2> &parameter) const
   {
     const auto [low, high] = cell_box(cell);
     double x               = parameter[0];
     if (periodic_x())
-    {
-      const double period = knots(0, 0).back() - knots(0, 0).front();
-      x -= period * std::round((x - 0.5 * (low[0] + high[0])) / period);
-    }
+      {
+        const double period = knots(0, 0).back() - knots(0, 0).front();
+        x -= period * std::round((x - 0.5 * (low[0] + high[0])) / period);
+      }
     return dealii::Point<2>((x - low[0]) / (high[0] - low[0]),
                             (parameter[1] - low[1]) / (high[1] - low[1]));
   }
 
 
 
-  void SplineHierarchy::evaluate(
-    const unsigned int cell,
-    const dealii::Point<2> &parameter,
-    std::vector<double> &values,
-    std::vector<dealii::Tensor<1, 2>> *gradients) const
+  void
+  SplineHierarchy::evaluate(const unsigned int                 cell,
+                            const dealii::Point<2>            &parameter,
+                            std::vector<double>               &values,
+                            std::vector<dealii::Tensor<1, 2>> *gradients) const
   {
     const BernsteinTable table(degree(), {to_unit_cell(cell, parameter)});
-    const auto box         = cell_box(cell);
-    const auto &extraction = cell_extraction(cell);
+    const auto           box        = cell_box(cell);
+    const auto          &extraction = cell_extraction(cell);
     values.assign(extraction.m(), 0.);
     if (gradients != nullptr)
       gradients->assign(extraction.m(), dealii::Tensor<1, 2>());
     for (unsigned int a = 0; a < extraction.m(); ++a)
       for (unsigned int b = 0; b < extraction.n(); ++b)
-      {
-        values[a] += extraction(a, b) * table.values[0][b];
-        if (gradients != nullptr)
-          for (unsigned int d = 0; d < 2; ++d)
-            (*gradients)[a][d] += extraction(a, b) * table.gradients[0][b][d] /
-              (box.second[d] - box.first[d]);
-      }
+        {
+          values[a] += extraction(a, b) * table.values[0][b];
+          if (gradients != nullptr)
+            for (unsigned int d = 0; d < 2; ++d)
+              (*gradients)[a][d] += extraction(a, b) *
+                                    table.gradients[0][b][d] /
+                                    (box.second[d] - box.first[d]);
+        }
   }
 } // namespace asperity

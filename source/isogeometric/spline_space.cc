@@ -1,9 +1,7 @@
 #include <asperity/base/errors.h>
-#include <asperity/isogeometric/bernstein.h>
 #include <asperity/isogeometric/l2_projection.h>
 #include <asperity/isogeometric/spline_space.h>
 
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/grid/grid_generator.h>
 
 #include <algorithm>
@@ -17,34 +15,37 @@ namespace asperity
       : knots{{knots_x, knots_y}}
     {}
 
-    std::array<KnotVector, 2> knots;
-    dealii::Triangulation<2> triangulation;
+    std::array<KnotVector, 2>              knots;
+    dealii::Triangulation<2>               triangulation;
     std::shared_ptr<const SplineHierarchy> hierarchy;
 
     /** Level and spans of an active cell, from its centre. */
-    CellIndex index_of(const dealii::CellAccessor<2> &cell) const
+    CellIndex
+    index_of(const dealii::CellAccessor<2> &cell) const
     {
       // The centre is far from all breakpoints: rounding does no harm.
       const auto center = cell.center();
-      CellIndex index;
+      CellIndex  index;
       index.level = cell.level();
       std::array<unsigned int, 2> spans;
       for (unsigned int d = 0; d < 2; ++d)
-      {
-        const auto &breakpoints = knots[d].breakpoints();
-        const unsigned int root = knots[d].find_span(center[d]);
-        const double n_children = 1u << index.level;
-        spans[d]                = root * (1u << index.level) +
-          static_cast<unsigned int>(
-                     (center[d] - breakpoints[root]) /
-                     (breakpoints[root + 1] - breakpoints[root]) * n_children);
-      }
+        {
+          const auto        &breakpoints = knots[d].breakpoints();
+          const unsigned int root        = knots[d].find_span(center[d]);
+          const double       n_children  = 1u << index.level;
+          spans[d] =
+            root * (1u << index.level) +
+            static_cast<unsigned int>(
+              (center[d] - breakpoints[root]) /
+              (breakpoints[root + 1] - breakpoints[root]) * n_children);
+        }
       index.i = spans[0];
       index.j = spans[1];
       return index;
     }
 
-    void rebuild()
+    void
+    rebuild()
     {
       std::vector<CellIndex> cells;
       cells.reserve(triangulation.n_active_cells());
@@ -57,62 +58,65 @@ namespace asperity
     /** Calls f(node) for the cells of the index's level, or the active ones
      *  that contain them, within `degree` spans. */
     template <typename Function>
-    void for_each_neighbour(const CellIndex &index, const Function &f) const
+    void
+    for_each_neighbour(const CellIndex &index, const Function &f) const
     {
       const int degree = hierarchy->degree();
       const int n_x    = knots[0].n_spans() << index.level;
       const int n_y    = knots[1].n_spans() << index.level;
       for (int j = int(index.j) - degree; j <= int(index.j) + degree; ++j)
         for (int i = int(index.i) - degree; i <= int(index.i) + degree; ++i)
-        {
-          const int wrapped =
-            knots[0].is_periodic() ? ((i % n_x) + n_x) % n_x : i;
-          if (j >= 0 && j < n_y && wrapped >= 0 && wrapped < n_x)
-            f(hierarchy->nodes()[hierarchy->find_node(
-              {index.level, unsigned(wrapped), unsigned(j)})]);
-        }
+          {
+            const int wrapped =
+              knots[0].is_periodic() ? ((i % n_x) + n_x) % n_x : i;
+            if (j >= 0 && j < n_y && wrapped >= 0 && wrapped < n_x)
+              f(hierarchy->nodes()[hierarchy->find_node(
+                {index.level, unsigned(wrapped), unsigned(j)})]);
+          }
     }
 
     /** Adds to `refine` what the grading needs. */
-    void grade_refinement(std::vector<bool> &refine) const
+    void
+    grade_refinement(std::vector<bool> &refine) const
     {
       std::vector<unsigned int> pending;
-      const auto &nodes = hierarchy->nodes();
+      const auto               &nodes = hierarchy->nodes();
       for (unsigned int n = 0; n < nodes.size(); ++n)
         if (nodes[n].cell < 0 || refine[nodes[n].cell])
           pending.push_back(n);
       while (!pending.empty())
-      {
-        const CellIndex index = nodes[pending.back()].index;
-        pending.pop_back();
-        for_each_neighbour(index, [&](const SplineHierarchy::Node &node) {
-          if (node.index.level < index.level && !refine[node.cell])
-          {
-            refine[node.cell] = true;
-            pending.push_back(hierarchy->find_node(node.index));
-          }
-        });
-      }
+        {
+          const CellIndex index = nodes[pending.back()].index;
+          pending.pop_back();
+          for_each_neighbour(index, [&](const SplineHierarchy::Node &node) {
+            if (node.index.level < index.level && !refine[node.cell])
+              {
+                refine[node.cell] = true;
+                pending.push_back(hierarchy->find_node(node.index));
+              }
+          });
+        }
     }
 
     /** Removes from `coarsen` what the grading forbids: a child must stay if a
      *  cell within `degree` spans of it is or becomes refined. */
-    void grade_coarsening(const std::vector<bool> &refine,
-                          std::vector<bool> &coarsen) const
+    void
+    grade_coarsening(const std::vector<bool> &refine,
+                     std::vector<bool>       &coarsen) const
     {
       for (const auto &node : hierarchy->nodes())
         if (node.cell >= 0 && coarsen[node.cell])
-        {
-          bool allowed = node.parent >= 0;
-          if (allowed)
-            for_each_neighbour(node.index,
-                               [&](const SplineHierarchy::Node &other) {
-                                 if (other.cell < 0 || refine[other.cell])
-                                   allowed = false;
-                               });
-          // deal.II coarsens only families whose four flags are set.
-          coarsen[node.cell] = allowed;
-        }
+          {
+            bool allowed = node.parent >= 0;
+            if (allowed)
+              for_each_neighbour(node.index,
+                                 [&](const SplineHierarchy::Node &other) {
+                                   if (other.cell < 0 || refine[other.cell])
+                                     allowed = false;
+                                 });
+            // deal.II coarsens only families whose four flags are set.
+            coarsen[node.cell] = allowed;
+          }
     }
   };
 
@@ -130,11 +134,11 @@ namespace asperity
         "A spline space may be periodic in the first parameter only.");
     std::vector<std::vector<double>> steps(2);
     for (unsigned int d = 0; d < 2; ++d)
-    {
-      const auto &t = implementation->knots[d].breakpoints();
-      for (unsigned int span = 0; span + 1 < t.size(); ++span)
-        steps[d].push_back(t[span + 1] - t[span]);
-    }
+      {
+        const auto &t = implementation->knots[d].breakpoints();
+        for (unsigned int span = 0; span + 1 < t.size(); ++span)
+          steps[d].push_back(t[span + 1] - t[span]);
+      }
     dealii::GridGenerator::subdivided_hyper_rectangle(
       implementation->triangulation,
       steps,
@@ -150,108 +154,118 @@ namespace asperity
 
 
 
-  unsigned int SplineSpace::degree() const
+  unsigned int
+  SplineSpace::degree() const
   {
     return implementation->hierarchy->degree();
   }
 
 
 
-  bool SplineSpace::periodic_x() const
+  bool
+  SplineSpace::periodic_x() const
   {
     return implementation->hierarchy->periodic_x();
   }
 
 
 
-  unsigned int SplineSpace::n_functions() const
+  unsigned int
+  SplineSpace::n_functions() const
   {
     return implementation->hierarchy->n_functions();
   }
 
 
 
-  unsigned int SplineSpace::n_cells() const
+  unsigned int
+  SplineSpace::n_cells() const
   {
     return implementation->hierarchy->n_cells();
   }
 
 
 
-  const dealii::Triangulation<2> &SplineSpace::triangulation() const
+  const dealii::Triangulation<2> &
+  SplineSpace::triangulation() const
   {
     return implementation->triangulation;
   }
 
 
 
-  dealii::Triangulation<2> &SplineSpace::triangulation()
+  dealii::Triangulation<2> &
+  SplineSpace::triangulation()
   {
     return implementation->triangulation;
   }
 
 
 
-  std::shared_ptr<const SplineHierarchy> SplineSpace::hierarchy() const
+  std::shared_ptr<const SplineHierarchy>
+  SplineSpace::hierarchy() const
   {
     return implementation->hierarchy;
   }
 
 
 
-  void SplineSpace::execute_refinement()
+  void
+  SplineSpace::execute_refinement()
   {
-    auto &triangulation = implementation->triangulation;
+    auto             &triangulation = implementation->triangulation;
     std::vector<bool> refine(n_cells(), false), coarsen(n_cells(), false);
     for (const auto &cell : triangulation.active_cell_iterators())
-    {
-      refine[cell->active_cell_index()]  = cell->refine_flag_set();
-      coarsen[cell->active_cell_index()] = cell->coarsen_flag_set();
-    }
+      {
+        refine[cell->active_cell_index()]  = cell->refine_flag_set();
+        coarsen[cell->active_cell_index()] = cell->coarsen_flag_set();
+      }
     implementation->grade_refinement(refine);
     implementation->grade_coarsening(refine, coarsen);
     for (const auto &cell : triangulation.active_cell_iterators())
-    {
-      cell->clear_refine_flag();
-      cell->clear_coarsen_flag();
-      if (refine[cell->active_cell_index()])
-        cell->set_refine_flag();
-      else if (coarsen[cell->active_cell_index()])
-        cell->set_coarsen_flag();
-    }
+      {
+        cell->clear_refine_flag();
+        cell->clear_coarsen_flag();
+        if (refine[cell->active_cell_index()])
+          cell->set_refine_flag();
+        else if (coarsen[cell->active_cell_index()])
+          cell->set_coarsen_flag();
+      }
     triangulation.execute_coarsening_and_refinement();
     implementation->rebuild();
   }
 
 
 
-  void SplineSpace::refine_to_level(
-    const unsigned int level,
+  void
+  SplineSpace::refine_to_level(
+    const unsigned int                                   level,
     const std::function<bool(const dealii::Point<2> &,
                              const dealii::Point<2> &)> &wanted)
   {
     for (unsigned int sweep = 0; sweep < level; ++sweep)
-    {
-      bool flagged = false;
-      for (const auto &cell :
-           implementation->triangulation.active_cell_iterators())
       {
-        const auto box = cell_box(cell->active_cell_index());
-        if (cell->level() < int(level) && wanted(box.first, box.second))
-        {
-          cell->set_refine_flag();
-          flagged = true;
-        }
+        bool flagged = false;
+        for (const auto &cell :
+             implementation->triangulation.active_cell_iterators())
+          {
+            const auto box = cell_box(cell->active_cell_index());
+            if (cell->level() < int(level) && wanted(box.first, box.second))
+              {
+                cell->set_refine_flag();
+                flagged = true;
+              }
+          }
+        if (!flagged)
+          return;
+        execute_refinement();
       }
-      if (!flagged)
-        return;
-      execute_refinement();
-    }
   }
 
 
 
-  void SplineSpace::refine_like(const SplineHierarchy &target)
+  void
+  SplineSpace::refine_like(const SplineHierarchy &target)
   {
     const auto differs = [&](const CellIndex &index) {
       const auto &node = target.nodes()[target.find_node(index)];
@@ -261,23 +275,23 @@ namespace asperity
     const unsigned int n_sweeps =
       target.n_levels() + implementation->hierarchy->n_levels() + 1;
     for (unsigned int sweep = 0; sweep < n_sweeps; ++sweep)
-    {
-      bool flagged = false;
-      for (const auto &cell :
-           implementation->triangulation.active_cell_iterators())
       {
-        const int change = differs(
-          implementation->hierarchy->cell_index(cell->active_cell_index()));
-        if (change > 0)
-          cell->set_refine_flag();
-        else if (change < 0)
-          cell->set_coarsen_flag();
-        flagged = flagged || change != 0;
+        bool flagged = false;
+        for (const auto &cell :
+             implementation->triangulation.active_cell_iterators())
+          {
+            const int change = differs(
+              implementation->hierarchy->cell_index(cell->active_cell_index()));
+            if (change > 0)
+              cell->set_refine_flag();
+            else if (change < 0)
+              cell->set_coarsen_flag();
+            flagged = flagged || change != 0;
+          }
+        if (!flagged)
+          return;
+        execute_refinement();
       }
-      if (!flagged)
-        return;
-      execute_refinement();
-    }
     throw ComputationError(
       "The mesh could not be brought to the cells of another spline space, "
       "since that space is not graded.");
@@ -285,45 +299,48 @@ namespace asperity
 
 
 
-  const std::vector<unsigned int> &SplineSpace::cell_functions(
-    const unsigned int cell) const
+  const std::vector<unsigned int> &
+  SplineSpace::cell_functions(const unsigned int cell) const
   {
     return implementation->hierarchy->cell_functions(cell);
   }
 
 
 
-  const dealii::FullMatrix<double> &SplineSpace::cell_extraction(
-    const unsigned int cell) const
+  const dealii::FullMatrix<double> &
+  SplineSpace::cell_extraction(const unsigned int cell) const
   {
     return implementation->hierarchy->cell_extraction(cell);
   }
 
 
 
-  std::pair<dealii::Point<2>, dealii::Point<2>> SplineSpace::cell_box(
-    const unsigned int cell) const
+  std::pair<dealii::Point<2>, dealii::Point<2>>
+  SplineSpace::cell_box(const unsigned int cell) const
   {
     return implementation->hierarchy->cell_box(cell);
   }
 
 
 
-  unsigned int SplineSpace::find_cell(const dealii::Point<2> &parameter) const
+  unsigned int
+  SplineSpace::find_cell(const dealii::Point<2> &parameter) const
   {
     return implementation->hierarchy->find_cell(parameter);
   }
 
 
 
-  std::vector<unsigned int> SplineSpace::edge_cells(const Edge edge) const
+  std::vector<unsigned int>
+  SplineSpace::edge_cells(const Edge edge) const
   {
     return asperity::edge_cells(*implementation->hierarchy, edge);
   }
 
 
 
-  std::vector<unsigned int> SplineSpace::edge_functions(const Edge edge) const
+  std::vector<unsigned int>
+  SplineSpace::edge_functions(const Edge edge) const
   {
     std::vector<unsigned int> functions;
     for (const unsigned int cell : edge_cells(edge))
@@ -338,80 +355,12 @@ namespace asperity
 
 
 
-  void SplineSpace::evaluate(const unsigned int cell,
-                             const dealii::Point<2> &parameter,
-                             std::vector<double> &values,
-                             std::vector<dealii::Tensor<1, 2>> *gradients) const
+  void
+  SplineSpace::evaluate(const unsigned int                 cell,
+                        const dealii::Point<2>            &parameter,
+                        std::vector<double>               &values,
+                        std::vector<dealii::Tensor<1, 2>> *gradients) const
   {
     implementation->hierarchy->evaluate(cell, parameter, values, gradients);
-  }
-
-
-
-  std::vector<std::vector<double>> SplineSpace::project(
-    const std::function<std::vector<double>(const dealii::Point<2> &)> &f,
-    const unsigned int n_components,
-    const double edge_weight) const
-  {
-    const auto &hierarchy = *implementation->hierarchy;
-    std::vector<dealii::Vector<double>> loads(
-      n_components, dealii::Vector<double>(n_functions()));
-    // Adds one integral: functions of a cell at points of its unit square.
-    const auto add = [&](const unsigned int cell,
-                         const std::vector<dealii::Point<2>> &points,
-                         const BernsteinTable &bernstein,
-                         const std::vector<double> &weights,
-                         const double factor) {
-      const auto &functions  = cell_functions(cell);
-      const auto &extraction = cell_extraction(cell);
-      const auto [low, high] = cell_box(cell);
-      for (unsigned int q = 0; q < points.size(); ++q)
-      {
-        const std::vector<double> value =
-          f(dealii::Point<2>(low[0] + points[q][0] * (high[0] - low[0]),
-                             low[1] + points[q][1] * (high[1] - low[1])));
-        const double area = (high[0] - low[0]) * (high[1] - low[1]);
-        for (unsigned int a = 0; a < functions.size(); ++a)
-        {
-          double N = 0.;
-          for (unsigned int b = 0; b < extraction.n(); ++b)
-            N += extraction(a, b) * bernstein.values[q][b];
-          for (unsigned int c = 0; c < n_components; ++c)
-            loads[c][functions[a]] += N * value[c] * factor * area * weights[q];
-        }
-      }
-    };
-
-    const dealii::QGauss<2> cell_quadrature(degree() + 3);
-    const BernsteinTable cell_table(degree(), cell_quadrature.get_points());
-    for (unsigned int cell = 0; cell < n_cells(); ++cell)
-      add(cell,
-          cell_quadrature.get_points(),
-          cell_table,
-          cell_quadrature.get_weights(),
-          1.);
-
-    const dealii::QGauss<1> edge_quadrature(degree() + 3);
-    if (edge_weight != 0.)
-      for (const Edge edge : boundary_edges(hierarchy))
-      {
-        const auto points = edge_points(edge_quadrature, edge);
-        const BernsteinTable edge_table(degree(), points);
-        for (const unsigned int cell : edge_cells(edge))
-          add(cell,
-              points,
-              edge_table,
-              edge_quadrature.get_weights(),
-              edge_weight);
-      }
-
-    const L2Projection projection(hierarchy, edge_weight);
-    std::vector<std::vector<double>> coefficients;
-    for (auto &load : loads)
-    {
-      projection.solve(load);
-      coefficients.emplace_back(load.begin(), load.end());
-    }
-    return coefficients;
   }
 } // namespace asperity

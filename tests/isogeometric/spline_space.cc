@@ -238,7 +238,9 @@ TEST(SplineSpace, traces_vanish_outside_the_edge_functions)
           EXPECT_EQ(functions.size(), space->periodic_x() ? 7 : 7 + p);
         }
         else if (!space->periodic_x())
+        {
           EXPECT_EQ(functions.size(), 5 + p);
+        }
       }
     }
 }
