@@ -1,0 +1,85 @@
+#ifndef asperity_topography_periodic_continuation_h
+#define asperity_topography_periodic_continuation_h
+
+#include <asperity/topography/profile.h>
+
+#include <vector>
+
+namespace asperity
+{
+  enum class Continuation
+  {
+    wrapped_spline,
+    mirror,
+    none
+  };
+
+  /** How the wrapped spline is fitted. */
+  struct WrappedSplineOptions
+  {
+    /** 3 (cubic) or 5 (quintic). */
+    unsigned int degree = 3;
+
+    /** Knot spacing over sample spacing, at least 1. */
+    double samples_per_knot = 2.;
+
+    /**
+     * Length at each end over the length of the profile in which the
+     * measured heights fade out of the fit: the outer half of it is bridged
+     * with little bending, the inner half blends. In [0, 0.25]. With 0 all
+     * samples count alike.
+     */
+    double blend_fraction = 0.05;
+  };
+
+  /**
+   * What the continuation did. The jumps compare the two sides of the seam:
+   * height and slope that the last two samples of the period extrapolate to
+   * its end, minus those at its start. Heights in metres.
+   */
+  struct ContinuationReport
+  {
+    double jump_before       = 0.;
+    double jump_after        = 0.;
+    double slope_jump_before = 0.;
+    double slope_jump_after  = 0.;
+
+    /** Root mean square height about the mean. */
+    double Rq_before = 0.;
+    double Rq_after  = 0.;
+
+    double max_slope_before = 0.;
+    double max_slope_after  = 0.;
+
+    /** Root mean square of and largest change of a sample outside the blend. */
+    double fit_rms = 0.;
+    double fit_max = 0.;
+
+    /** Slope of the line that was removed first: a period has no trend. */
+    double removed_trend = 0.;
+
+    unsigned int n_knots = 0;
+  };
+
+  /**
+   * Make a profile without missing points periodic.
+   *
+   * wrapped_spline: the least-squares line is removed, and a periodic spline
+   * with uniform knots is fitted to the samples, whose weights fall to zero at
+   * the ends; there second differences of the coefficients (P-splines, Eilers
+   * and Marx 1996) define it. The period is n*spacing, sampled as before.
+   *
+   * mirror: the profile and its mirror image; heights are exact, the period is
+   * 2(n-1) spacings, and the slope has kinks at both ends.
+   *
+   * none: the profile is repeated as it is, with the jump that it has (for
+   * profiles that are periodic already).
+   */
+  Profile
+  make_periodic(const Profile              &profile,
+                const Continuation          continuation,
+                const WrappedSplineOptions &options,
+                ContinuationReport         &report);
+} // namespace asperity
+
+#endif

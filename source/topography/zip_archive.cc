@@ -1,0 +1,137 @@
+#include <asperity/base/errors.h>
+#include <asperity/topography/zip_archive.h>
+
+#include <minizip/unzip.h>
+#include <minizip/zip.h>
+
+#include <algorithm>
+
+namespace asperity
+{
+  namespace
+  {
+    bool
+    ends_with(const std::string &text, const std::string &tail)
+    {
+      return text.size() >= tail.size() &&
+             text.compare(text.size() - tail.size(), tail.size(), tail) == 0;
+    }
+  } // namespace
+
+  ZipArchive::ZipArchive(const std::string &file, const std::string &format)
+    : file(file)
+    , format(format)
+    , handle(unzOpen64(file.c_str()))
+  {
+    if (handle == nullptr)
+      fail("is cut off or damaged: the table of contents of the ZIP archive "
+           "was not found");
+    // A broken table of contents may run in circles.
+    constexpr unsigned int max_entries = 10000;
+    for (int status = unzGoToFirstFile(handle);
+         status == UNZ_OK && names.size() < max_entries;
+         status = unzGoToNextFile(handle))
+      {
+        char            name[1024] = {};
+        unz_file_info64 info;
+        if (unzGetCurrentFileInfo64(
+              handle, &info, name, sizeof(name) - 1, nullptr, 0, nullptr, 0) !=
+            UNZ_OK)
+          break;
+        names.emplace_back(name);
+      }
+  }
+
+  ZipArchive::~ZipArchive()
+  {
+    if (handle != nullptr)
+      unzClose(handle);
+  }
+
+  void
+  ZipArchive::fail(const std::string &reason) const
+  {
+    throw InputError("The surface file '" + file + "' (" + format + ") " +
+                     reason + ".");
+  }
+
+  std::string
+  ZipArchive::find(const std::string &tail) const
+  {
+    std::string best;
+    for (const auto &name : names)
+      if (ends_with(name, tail) &&
+          (name.size() == tail.size() ||
+           name[name.size() - tail.size() - 1] == '/') &&
+          name.compare(0, 9, "__MACOSX/") != 0 &&
+          (best.empty() || name.size() < best.size()))
+        best = name;
+    return best;
+  }
+
+  std::string
+  ZipArchive::read(const std::string &entry, const std::size_t max_size) const
+  {
+    if (unzLocateFile(handle, entry.c_str(), 1) != UNZ_OK ||
+        unzOpenCurrentFile(handle) != UNZ_OK)
+      fail("holds no readable '" + entry + "'");
+
+    // In blocks, since the stated size may be anything.
+    std::string bytes;
+    std::string block(1 << 18, '\0');
+    int         n = 0;
+    while ((n = unzReadCurrentFile(handle, block.data(), block.size())) > 0)
+      {
+        bytes.append(block, 0, n);
+        if (bytes.size() > max_size)
+          {
+            unzCloseCurrentFile(handle);
+            fail("holds more than the expected " + std::to_string(max_size) +
+                 " bytes in '" + entry + "'");
+          }
+      }
+    const int closed = unzCloseCurrentFile(handle);
+    if (n < 0 || closed != UNZ_OK)
+      fail("is damaged: the checksum or the compressed data of '" + entry +
+           "' is wrong");
+    return bytes;
+  }
+
+  void
+  write_zip(const std::string                                      &file,
+            const std::vector<std::pair<std::string, std::string>> &entries)
+  {
+    const zipFile archive = zipOpen64(file.c_str(), APPEND_STATUS_CREATE);
+    bool          good    = archive != nullptr;
+    for (const auto &[name, bytes] : entries)
+      {
+        // The date 1 January 1980 makes equal content give equal files.
+        zip_fileinfo info     = {};
+        info.tmz_date.tm_mday = 1;
+        info.tmz_date.tm_year = 1980;
+        good                  = good && zipOpenNewFileInZip64(archive,
+                                             name.c_str(),
+                                             &info,
+                                             nullptr,
+                                             0,
+                                             nullptr,
+                                             0,
+                                             nullptr,
+                                             Z_DEFLATED,
+                                             Z_BEST_COMPRESSION,
+                                             0) == ZIP_OK;
+        // minizip counts in unsigned int, so large maps go in pieces.
+        for (std::size_t i = 0; good && i < bytes.size(); i += 1 << 28)
+          good =
+            zipWriteInFileInZip(archive,
+                                bytes.data() + i,
+                                static_cast<unsigned int>(std::min<std::size_t>(
+                                  bytes.size() - i, 1 << 28))) == ZIP_OK;
+        good = good && zipCloseFileInZip(archive) == ZIP_OK;
+      }
+    if (archive != nullptr)
+      good = zipClose(archive, nullptr) == ZIP_OK && good;
+    if (!good)
+      throw InputError("The file '" + file + "' cannot be written.");
+  }
+} // namespace asperity
