@@ -5,29 +5,33 @@
 
 namespace asperity
 {
-  double ElasticParameters::lame_lambda() const
+  double
+  ElasticParameters::lame_lambda() const
   {
     return young_modulus * poisson_ratio /
-      ((1. + poisson_ratio) * (1. - 2. * poisson_ratio));
+           ((1. + poisson_ratio) * (1. - 2. * poisson_ratio));
   }
 
 
 
-  double ElasticParameters::shear_modulus() const
+  double
+  ElasticParameters::shear_modulus() const
   {
     return young_modulus / (2. * (1. + poisson_ratio));
   }
 
 
 
-  double ElasticParameters::bulk_modulus() const
+  double
+  ElasticParameters::bulk_modulus() const
   {
     return young_modulus / (3. * (1. - 2. * poisson_ratio));
   }
 
 
 
-  void ElasticParameters::validate() const
+  void
+  ElasticParameters::validate() const
   {
     if (!(density > 0.))
       throw InputError("The density must be positive, but it is " +

@@ -21,9 +21,9 @@ namespace asperity
 
   template <class FlowStress>
   FiniteStrainJ2<FlowStress>::FiniteStrainJ2(
-    const std::string &name,
+    const std::string       &name,
     const ElasticParameters &elasticity,
-    const FlowStress &flow_stress,
+    const FlowStress        &flow_stress,
     const HeatingParameters &heating)
     : law_name(name)
     , elasticity(elasticity)
@@ -34,27 +34,29 @@ namespace asperity
   {
     elasticity.validate();
     if (heating.adiabatic)
-    {
-      if (!(heating.heat_capacity > 0.))
-        throw InputError("The heat capacity must be positive, but it is " +
-                         std::to_string(heating.heat_capacity) + " J/(kg K).");
-      if (!(heating.heat_fraction >= 0. && heating.heat_fraction <= 1.))
-        throw InputError("The share of the plastic work that becomes heat "
-                         "must lie between 0 and 1, but it is " +
-                         std::to_string(heating.heat_fraction) + ".");
-      heating_coefficient =
-        heating.heat_fraction / (elasticity.density * heating.heat_capacity);
-    }
+      {
+        if (!(heating.heat_capacity > 0.))
+          throw InputError("The heat capacity must be positive, but it is " +
+                           std::to_string(heating.heat_capacity) +
+                           " J/(kg K).");
+        if (!(heating.heat_fraction >= 0. && heating.heat_fraction <= 1.))
+          throw InputError("The share of the plastic work that becomes heat "
+                           "must lie between 0 and 1, but it is " +
+                           std::to_string(heating.heat_fraction) + ".");
+        heating_coefficient =
+          heating.heat_fraction / (elasticity.density * heating.heat_capacity);
+      }
   }
 
 
 
   template <class FlowStress>
-  void FiniteStrainJ2<FlowStress>::evaluate(const PlaneTensor &F,
-                                            const MaterialState &old,
-                                            const double dt,
-                                            const bool with_tangent,
-                                            MaterialResponse &response) const
+  void
+  FiniteStrainJ2<FlowStress>::evaluate(const PlaneTensor   &F,
+                                       const MaterialState &old,
+                                       const double         dt,
+                                       const bool           with_tangent,
+                                       MaterialResponse    &response) const
   {
     const TrialStrain t = hencky::trial_strain(F, old.Cp_inverse);
     response.plastic    = false;
@@ -74,30 +76,30 @@ namespace asperity
     const double static_flow_stress =
       flow_stress.static_value(old.plastic_strain, old.temperature);
     if (trial_stress > (1. + yield_tolerance) * static_flow_stress)
-    {
-      const ReturnSolution solution =
-        solve_return(flow_stress,
-                     ReturnProblem{trial_stress,
-                                   3. * shear_modulus,
-                                   old.plastic_strain,
-                                   old.temperature,
-                                   (dt > 0.) ? 1. / dt : 0.,
-                                   heating_coefficient},
-                     static_flow_stress);
-      if (!solution.found)
       {
-        response.status = LawStatus::no_return;
-        return;
+        const ReturnSolution solution =
+          solve_return(flow_stress,
+                       ReturnProblem{trial_stress,
+                                     3. * shear_modulus,
+                                     old.plastic_strain,
+                                     old.temperature,
+                                     (dt > 0.) ? 1. / dt : 0.,
+                                     heating_coefficient},
+                       static_flow_stress);
+        if (!solution.found)
+          {
+            response.status = LawStatus::no_return;
+            return;
+          }
+        stress           = solution.stress;
+        slope            = solution.slope;
+        response.mises   = stress;
+        response.plastic = true;
+        response.state.plastic_strain += solution.increment;
+        response.state.temperature = solution.temperature;
+        response.state.Cp_inverse =
+          hencky::updated_Cp_inverse(t, e, stress / trial_stress);
       }
-      stress           = solution.stress;
-      slope            = solution.slope;
-      response.mises   = stress;
-      response.plastic = true;
-      response.state.plastic_strain += solution.increment;
-      response.state.temperature = solution.temperature;
-      response.state.Cp_inverse =
-        hencky::updated_Cp_inverse(t, e, stress / trial_stress);
-    }
 
     const double ratio = response.plastic ? stress / trial_stress : 1.;
     response.P         = hencky::first_piola_kirchhoff(
@@ -117,7 +119,8 @@ namespace asperity
 
 
   template <class FlowStress>
-  double FiniteStrainJ2<FlowStress>::density() const
+  double
+  FiniteStrainJ2<FlowStress>::density() const
   {
     return elasticity.density;
   }
@@ -125,7 +128,8 @@ namespace asperity
 
 
   template <class FlowStress>
-  double FiniteStrainJ2<FlowStress>::young_modulus() const
+  double
+  FiniteStrainJ2<FlowStress>::young_modulus() const
   {
     return elasticity.young_modulus;
   }
@@ -133,7 +137,8 @@ namespace asperity
 
 
   template <class FlowStress>
-  double FiniteStrainJ2<FlowStress>::poisson_ratio() const
+  double
+  FiniteStrainJ2<FlowStress>::poisson_ratio() const
   {
     return elasticity.poisson_ratio;
   }
@@ -141,7 +146,8 @@ namespace asperity
 
 
   template <class FlowStress>
-  std::string FiniteStrainJ2<FlowStress>::name() const
+  std::string
+  FiniteStrainJ2<FlowStress>::name() const
   {
     return law_name;
   }

@@ -26,29 +26,31 @@ namespace asperity
 
 
 
-  double SaturationHardening::static_value(const double plastic_strain,
-                                           const double) const
+  double
+  SaturationHardening::static_value(const double plastic_strain,
+                                    const double) const
   {
     return evaluate(plastic_strain, 0., 0.).value;
   }
 
 
 
-  FlowStressValue SaturationHardening::evaluate(const double plastic_strain,
-                                                const double,
-                                                const double) const
+  FlowStressValue
+  SaturationHardening::evaluate(const double plastic_strain,
+                                const double,
+                                const double) const
   {
     const double range = parameters.saturation_stress - parameters.yield_stress;
-    double value =
+    double       value =
       parameters.yield_stress + parameters.linear_hardening * plastic_strain;
     double slope = parameters.linear_hardening;
     if (range != 0.)
-    {
-      const double decay =
-        std::exp(-parameters.saturation_rate * plastic_strain);
-      value += range * (1. - decay);
-      slope += range * parameters.saturation_rate * decay;
-    }
+      {
+        const double decay =
+          std::exp(-parameters.saturation_rate * plastic_strain);
+        value += range * (1. - decay);
+        slope += range * parameters.saturation_rate * decay;
+      }
     return {value, slope, 0., 0.};
   }
 } // namespace asperity

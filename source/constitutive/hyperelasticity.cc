@@ -13,7 +13,8 @@ namespace asperity
 
 
     /** det F, or 0 if it is not positive and finite or F33 is not positive. */
-    double positive_determinant(const PlaneTensor &F)
+    double
+    positive_determinant(const PlaneTensor &F)
     {
       const double J2 = F[0] * F[3] - F[1] * F[2];
       const double J  = J2 * F[4];
@@ -23,7 +24,8 @@ namespace asperity
 
 
     /** sqrt(3/2) |dev(P F^T)|. */
-    double mises_kirchhoff(const PlaneTensor &P, const PlaneTensor &F)
+    double
+    mises_kirchhoff(const PlaneTensor &P, const PlaneTensor &F)
     {
       const double xx    = P[0] * F[0] + P[1] * F[1];
       const double yy    = P[2] * F[2] + P[3] * F[3];
@@ -31,7 +33,8 @@ namespace asperity
       const double zz    = P[4] * F[4];
       const double mean  = (xx + yy + zz) / 3.;
       const double norm2 = (xx - mean) * (xx - mean) +
-        (yy - mean) * (yy - mean) + (zz - mean) * (zz - mean) + 2. * xy * xy;
+                           (yy - mean) * (yy - mean) +
+                           (zz - mean) * (zz - mean) + 2. * xy * xy;
       return std::sqrt(1.5 * norm2);
     }
   } // namespace
@@ -48,11 +51,12 @@ namespace asperity
 
 
 
-  void StVenantKirchhoff::evaluate(const PlaneTensor &F,
-                                   const MaterialState &old,
-                                   const double,
-                                   const bool with_tangent,
-                                   MaterialResponse &response) const
+  void
+  StVenantKirchhoff::evaluate(const PlaneTensor   &F,
+                              const MaterialState &old,
+                              const double,
+                              const bool        with_tangent,
+                              MaterialResponse &response) const
   {
     response.state   = old;
     response.plastic = false;
@@ -77,52 +81,56 @@ namespace asperity
     response.mises          = mises_kirchhoff(response.P, F);
 
     if (with_tangent)
-    {
-      // dP_iJ/dF_kL = delta_ik S_JL + lambda F_iJ F_kL
-      //               + mu (F_iL F_kJ + (F F^T)_ik delta_JL)
-      const double f[3][3] = {{F[0], F[1], 0.},
-                              {F[2], F[3], 0.},
-                              {0., 0., F[4]}};
-      double b[3][3];
-      for (int i = 0; i < 3; ++i)
-        for (int k = 0; k < 3; ++k)
-          b[i][k] = f[i][0] * f[k][0] + f[i][1] * f[k][1] + f[i][2] * f[k][2];
-      for (int p = 0; p < 5; ++p)
-        for (int q = 0; q < 5; ++q)
-        {
-          const int i = row_of[p], J = column_of[p];
-          const int k = row_of[q], L = column_of[q];
-          response.tangent[p][q] = (i == k ? S[J][L] : 0.) +
-            lambda * F[p] * F[q] +
-            mu * (f[i][L] * f[k][J] + (J == L ? b[i][k] : 0.));
-        }
-    }
+      {
+        // dP_iJ/dF_kL = delta_ik S_JL + lambda F_iJ F_kL
+        //               + mu (F_iL F_kJ + (F F^T)_ik delta_JL)
+        const double f[3][3] = {{F[0], F[1], 0.},
+                                {F[2], F[3], 0.},
+                                {0., 0., F[4]}};
+        double       b[3][3];
+        for (int i = 0; i < 3; ++i)
+          for (int k = 0; k < 3; ++k)
+            b[i][k] = f[i][0] * f[k][0] + f[i][1] * f[k][1] + f[i][2] * f[k][2];
+        for (int p = 0; p < 5; ++p)
+          for (int q = 0; q < 5; ++q)
+            {
+              const int i = row_of[p], J = column_of[p];
+              const int k = row_of[q], L = column_of[q];
+              response.tangent[p][q] =
+                (i == k ? S[J][L] : 0.) + lambda * F[p] * F[q] +
+                mu * (f[i][L] * f[k][J] + (J == L ? b[i][k] : 0.));
+            }
+      }
   }
 
 
 
-  double StVenantKirchhoff::density() const
+  double
+  StVenantKirchhoff::density() const
   {
     return elasticity.density;
   }
 
 
 
-  double StVenantKirchhoff::young_modulus() const
+  double
+  StVenantKirchhoff::young_modulus() const
   {
     return elasticity.young_modulus;
   }
 
 
 
-  double StVenantKirchhoff::poisson_ratio() const
+  double
+  StVenantKirchhoff::poisson_ratio() const
   {
     return elasticity.poisson_ratio;
   }
 
 
 
-  std::string StVenantKirchhoff::name() const
+  std::string
+  StVenantKirchhoff::name() const
   {
     return "St. Venant-Kirchhoff";
   }
@@ -139,11 +147,12 @@ namespace asperity
 
 
 
-  void NeoHooke::evaluate(const PlaneTensor &F,
-                          const MaterialState &old,
-                          const double,
-                          const bool with_tangent,
-                          MaterialResponse &response) const
+  void
+  NeoHooke::evaluate(const PlaneTensor   &F,
+                     const MaterialState &old,
+                     const double,
+                     const bool        with_tangent,
+                     MaterialResponse &response) const
   {
     const double J   = positive_determinant(F);
     response.state   = old;
@@ -166,38 +175,43 @@ namespace asperity
     if (with_tangent)
       for (int p = 0; p < 5; ++p)
         for (int q = 0; q < 5; ++q)
-        {
-          const int i = row_of[p], j = column_of[p];
-          const int k = row_of[q], l = column_of[q];
-          response.tangent[p][q] = (p == q ? mu : 0.) +
-            lambda * G[i][j] * G[k][l] - a * G[i][l] * G[k][j];
-        }
+          {
+            const int i = row_of[p], j = column_of[p];
+            const int k = row_of[q], l = column_of[q];
+            response.tangent[p][q] = (p == q ? mu : 0.) +
+                                     lambda * G[i][j] * G[k][l] -
+                                     a * G[i][l] * G[k][j];
+          }
   }
 
 
 
-  double NeoHooke::density() const
+  double
+  NeoHooke::density() const
   {
     return elasticity.density;
   }
 
 
 
-  double NeoHooke::young_modulus() const
+  double
+  NeoHooke::young_modulus() const
   {
     return elasticity.young_modulus;
   }
 
 
 
-  double NeoHooke::poisson_ratio() const
+  double
+  NeoHooke::poisson_ratio() const
   {
     return elasticity.poisson_ratio;
   }
 
 
 
-  std::string NeoHooke::name() const
+  std::string
+  NeoHooke::name() const
   {
     return "neo-Hooke";
   }

@@ -7,9 +7,8 @@ namespace asperity
 {
   JohnsonCook::JohnsonCook(const JohnsonCookParameters &parameters)
     : parameters(parameters)
-    , inverse_temperature_range(
-        1. /
-        (parameters.melting_temperature - parameters.transition_temperature))
+    , inverse_temperature_range(1. / (parameters.melting_temperature -
+                                      parameters.transition_temperature))
   {
     const auto require =
       [](const bool condition, const std::string &what, const double found) {
@@ -33,19 +32,21 @@ namespace asperity
 
 
 
-  ValueAndSlope JohnsonCook::hardening(const double plastic_strain) const
+  ValueAndSlope
+  JohnsonCook::hardening(const double plastic_strain) const
   {
     if (plastic_strain <= 0.)
       return {parameters.A,
-              parameters.B == 0. ? 0.
-                                 : std::numeric_limits<double>::infinity()};
+              parameters.B == 0. ? 0. :
+                                   std::numeric_limits<double>::infinity()};
     const double power = parameters.B * std::pow(plastic_strain, parameters.n);
     return {parameters.A + power, parameters.n * power / plastic_strain};
   }
 
 
 
-  ValueAndSlope JohnsonCook::rate_factor(const double rate) const
+  ValueAndSlope
+  JohnsonCook::rate_factor(const double rate) const
   {
     if (rate <= parameters.reference_rate)
       return {1., 0.};
@@ -55,7 +56,8 @@ namespace asperity
 
 
 
-  ValueAndSlope JohnsonCook::thermal_factor(const double temperature) const
+  ValueAndSlope
+  JohnsonCook::thermal_factor(const double temperature) const
   {
     const double homologous =
       (temperature - parameters.transition_temperature) *

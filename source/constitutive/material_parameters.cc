@@ -7,7 +7,8 @@ namespace asperity
 {
   namespace
   {
-    void declare_elasticity(ElasticParameters &p, ParameterDeclarator &d)
+    void
+    declare_elasticity(ElasticParameters &p, ParameterDeclarator &d)
     {
       d.quantity("Density",
                  p.density,
@@ -27,7 +28,8 @@ namespace asperity
 
 
 
-    void declare_heating(HeatingParameters &p, ParameterDeclarator &d)
+    void
+    declare_heating(HeatingParameters &p, ParameterDeclarator &d)
     {
       d.flag("Adiabatic heating",
              p.adiabatic,
@@ -46,7 +48,8 @@ namespace asperity
 
 
 
-    void declare_johnson_cook(JohnsonCookParameters &p, ParameterDeclarator &d)
+    void
+    declare_johnson_cook(JohnsonCookParameters &p, ParameterDeclarator &d)
     {
       const auto section = d.subsection("Johnson-Cook");
       d.quantity("A", p.A, "MPa", Range::positive(), "Initial flow stress A.");
@@ -82,8 +85,8 @@ namespace asperity
 
 
 
-    void declare_hardening(SaturationHardeningParameters &p,
-                           ParameterDeclarator &d)
+    void
+    declare_hardening(SaturationHardeningParameters &p, ParameterDeclarator &d)
     {
       const auto section = d.subsection("Saturation hardening");
       d.quantity("Yield stress",
@@ -110,7 +113,8 @@ namespace asperity
 
 
 
-  void MaterialParameters::declare(ParameterDeclarator &parameters)
+  void
+  MaterialParameters::declare(ParameterDeclarator &parameters)
   {
     const auto section = parameters.subsection("Material");
     parameters.choice(
@@ -132,36 +136,36 @@ namespace asperity
 
 
 
-  std::unique_ptr<MaterialLaw> make_material_law(
-    const MaterialParameters &parameters)
+  std::unique_ptr<MaterialLaw>
+  make_material_law(const MaterialParameters &parameters)
   {
     const ElasticParameters &elasticity = parameters.elasticity;
-    HeatingParameters no_heating;
+    HeatingParameters        no_heating;
     no_heating.adiabatic = false;
     switch (parameters.law)
-    {
-      case MaterialLawName::johnson_cook:
-        return std::make_unique<JohnsonCookJ2>("Johnson-Cook",
-                                               elasticity,
-                                               JohnsonCook(
-                                                 parameters.johnson_cook),
-                                               parameters.heating);
-      case MaterialLawName::saturation_hardening:
-        return std::make_unique<SaturationJ2>("saturation hardening",
-                                              elasticity,
-                                              SaturationHardening(
-                                                parameters.hardening),
-                                              parameters.heating);
-      case MaterialLawName::hencky:
-        return std::make_unique<HenckyElastic>("Hencky",
-                                               elasticity,
-                                               NeverYields(),
-                                               no_heating);
-      case MaterialLawName::neo_hooke:
-        return std::make_unique<NeoHooke>(elasticity);
-      case MaterialLawName::st_venant_kirchhoff:
-        return std::make_unique<StVenantKirchhoff>(elasticity);
-    }
+      {
+        case MaterialLawName::johnson_cook:
+          return std::make_unique<JohnsonCookJ2>("Johnson-Cook",
+                                                 elasticity,
+                                                 JohnsonCook(
+                                                   parameters.johnson_cook),
+                                                 parameters.heating);
+        case MaterialLawName::saturation_hardening:
+          return std::make_unique<SaturationJ2>("saturation hardening",
+                                                elasticity,
+                                                SaturationHardening(
+                                                  parameters.hardening),
+                                                parameters.heating);
+        case MaterialLawName::hencky:
+          return std::make_unique<HenckyElastic>("Hencky",
+                                                 elasticity,
+                                                 NeverYields(),
+                                                 no_heating);
+        case MaterialLawName::neo_hooke:
+          return std::make_unique<NeoHooke>(elasticity);
+        case MaterialLawName::st_venant_kirchhoff:
+          return std::make_unique<StVenantKirchhoff>(elasticity);
+      }
     throw InputError("There is no material law with the number " +
                      std::to_string(static_cast<int>(parameters.law)) + ".");
   }

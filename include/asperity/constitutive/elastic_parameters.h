@@ -11,16 +11,20 @@ namespace asperity
     double poisson_ratio = 0.29;  ///< in (-1, 1/2)
 
     /** lambda [Pa]. */
-    double lame_lambda() const;
+    double
+    lame_lambda() const;
 
     /** mu [Pa]. */
-    double shear_modulus() const;
+    double
+    shear_modulus() const;
 
     /** lambda + 2/3 mu [Pa]. */
-    double bulk_modulus() const;
+    double
+    bulk_modulus() const;
 
     /** @throws InputError if a constant has no physical meaning */
-    void validate() const;
+    void
+    validate() const;
   };
 } // namespace asperity
 

@@ -11,7 +11,7 @@ namespace asperity
   /** How plastic work heats the point. */
   struct HeatingParameters
   {
-    bool adiabatic       = true; ///< false: the temperature stays
+    bool   adiabatic     = true; ///< false: the temperature stays
     double heat_capacity = 450.; ///< c_p [J/(kg K)]
     double heat_fraction = 0.9;  ///< share of the plastic work that heats
   };
@@ -46,31 +46,36 @@ namespace asperity
   {
   public:
     /** @throws InputError if a constant has no physical meaning */
-    FiniteStrainJ2(const std::string &name,
+    FiniteStrainJ2(const std::string       &name,
                    const ElasticParameters &elasticity,
-                   const FlowStress &flow_stress,
+                   const FlowStress        &flow_stress,
                    const HeatingParameters &heating);
 
-    void evaluate(const PlaneTensor &F,
-                  const MaterialState &old,
-                  const double dt,
-                  const bool with_tangent,
-                  MaterialResponse &response) const override;
+    void
+    evaluate(const PlaneTensor   &F,
+             const MaterialState &old,
+             const double         dt,
+             const bool           with_tangent,
+             MaterialResponse    &response) const override;
 
-    double density() const override;
+    double
+    density() const override;
 
-    double young_modulus() const override;
+    double
+    young_modulus() const override;
 
-    double poisson_ratio() const override;
+    double
+    poisson_ratio() const override;
 
-    std::string name() const override;
+    std::string
+    name() const override;
 
   private:
-    std::string law_name;
+    std::string       law_name;
     ElasticParameters elasticity;
-    FlowStress flow_stress;
-    double shear_modulus;
-    double bulk_modulus;
+    FlowStress        flow_stress;
+    double            shear_modulus;
+    double            bulk_modulus;
     /** chi/(rho c_p) [K/Pa], 0 if isothermal. */
     double heating_coefficient;
   };

@@ -56,12 +56,13 @@ namespace asperity
     explicit SaturationHardening(
       const SaturationHardeningParameters &parameters);
 
-    double static_value(const double plastic_strain,
-                        const double temperature) const;
+    double
+    static_value(const double plastic_strain, const double temperature) const;
 
-    FlowStressValue evaluate(const double plastic_strain,
-                             const double rate,
-                             const double temperature) const;
+    FlowStressValue
+    evaluate(const double plastic_strain,
+             const double rate,
+             const double temperature) const;
 
   private:
     SaturationHardeningParameters parameters;
@@ -71,12 +72,14 @@ namespace asperity
   class NeverYields
   {
   public:
-    double static_value(const double, const double) const
+    double
+    static_value(const double, const double) const
     {
       return std::numeric_limits<double>::infinity();
     }
 
-    FlowStressValue evaluate(const double, const double, const double) const
+    FlowStressValue
+    evaluate(const double, const double, const double) const
     {
       return {std::numeric_limits<double>::infinity(), 0., 0., 0.};
     }

@@ -18,7 +18,8 @@ namespace asperity::hencky
   };
 
   /** a : b */
-  inline double contract(const SymmetricPlane &a, const SymmetricPlane &b)
+  inline double
+  contract(const SymmetricPlane &a, const SymmetricPlane &b)
   {
     return a.xx * b.xx + a.yy * b.yy + 2. * a.xy * b.xy + a.zz * b.zz;
   }
@@ -34,13 +35,13 @@ namespace asperity::hencky
   struct TrialStrain
   {
     SymmetricPlane strain;
-    double trace;
-    double mean, difference, shear; // of b in the plane
-    double x, f, df;                // f(x) and f'(x)
-    double F_inverse[2][2];
-    double F33_inverse;
-    double G[2][2]; // C_p^{-1} F^T
-    bool valid;
+    double         trace;
+    double         mean, difference, shear; // of b in the plane
+    double         x, f, df;                // f(x) and f'(x)
+    double         F_inverse[2][2];
+    double         F33_inverse;
+    double         G[2][2]; // C_p^{-1} F^T
+    bool           valid;
   };
 
   /**
@@ -48,11 +49,12 @@ namespace asperity::hencky
    * @return with valid == false if det F or det C_p^{-1} is not positive, or
    *   anything is not finite
    */
-  TrialStrain trial_strain(const PlaneTensor &F,
-                           const std::array<double, 4> &Cp_inverse);
+  TrialStrain
+  trial_strain(const PlaneTensor &F, const std::array<double, 4> &Cp_inverse);
 
   /** The deviator of the trial strain. */
-  inline SymmetricPlane deviator(const TrialStrain &t)
+  inline SymmetricPlane
+  deviator(const TrialStrain &t)
   {
     const double third = t.trace / 3.;
     return {t.strain.xx - third,
@@ -62,9 +64,10 @@ namespace asperity::hencky
   }
 
   /** pressure 1 + shear e. */
-  inline SymmetricPlane isotropic_stress(const double pressure,
-                                         const double shear,
-                                         const SymmetricPlane &e)
+  inline SymmetricPlane
+  isotropic_stress(const double          pressure,
+                   const double          shear,
+                   const SymmetricPlane &e)
   {
     return {pressure + shear * e.xx,
             pressure + shear * e.yy,
@@ -73,8 +76,8 @@ namespace asperity::hencky
   }
 
   /** P = tau F^{-T}. */
-  PlaneTensor first_piola_kirchhoff(const SymmetricPlane &tau,
-                                    const TrialStrain &t);
+  PlaneTensor
+  first_piola_kirchhoff(const SymmetricPlane &tau, const TrialStrain &t);
 
   /**
    * dtau = volumetric tr(deps) 1 + shear deps + radial (s : deps) s,
@@ -82,7 +85,7 @@ namespace asperity::hencky
    */
   struct SpatialTangent
   {
-    double volumetric, shear, radial;
+    double         volumetric, shear, radial;
     SymmetricPlane s;
   };
 
@@ -98,25 +101,27 @@ namespace asperity::hencky
    *
    * @param slope dq/dq_trial; 1, with ratio 1, in an elastic step
    */
-  inline SpatialTangent radial_return_tangent(const Moduli &moduli,
-                                              const SymmetricPlane &e,
-                                              const double trial_stress,
-                                              const double ratio,
-                                              const double slope)
+  inline SpatialTangent
+  radial_return_tangent(const Moduli         &moduli,
+                        const SymmetricPlane &e,
+                        const double          trial_stress,
+                        const double          ratio,
+                        const double          slope)
   {
     const double shear  = 2. * moduli.shear * ratio;
     const double factor = moduli.shear / trial_stress;
-    const double radial = (slope == ratio)
-      ? 0.
-      : 12. * moduli.shear * (slope - ratio) * factor * factor;
+    const double radial =
+      (slope == ratio) ? 0. :
+                         12. * moduli.shear * (slope - ratio) * factor * factor;
     return {moduli.bulk - shear / 3., shear, radial, e};
   }
 
   /** dP/dF for the Kirchhoff stress tau whose P is given. */
-  void fill_tangent(const SpatialTangent &c,
-                    const TrialStrain &t,
-                    const PlaneTensor &P,
-                    PlaneTangent &tangent);
+  void
+  fill_tangent(const SpatialTangent &c,
+               const TrialStrain    &t,
+               const PlaneTensor    &P,
+               PlaneTangent         &tangent);
 
   /**
    * C_p^{-1} = F^{-1} exp(2 eps_e) F^{-T} with eps_e = tr/3 1 + ratio dev.
@@ -124,9 +129,10 @@ namespace asperity::hencky
    * @param deviator dev of the trial strain
    * @param ratio length of the elastic deviator over that of the trial
    */
-  std::array<double, 4> updated_Cp_inverse(const TrialStrain &t,
-                                           const SymmetricPlane &deviator,
-                                           const double ratio);
+  std::array<double, 4>
+  updated_Cp_inverse(const TrialStrain    &t,
+                     const SymmetricPlane &deviator,
+                     const double          ratio);
 } // namespace asperity::hencky
 
 #endif

@@ -17,20 +17,25 @@ namespace asperity
     /** @throws InputError if a constant has no physical meaning */
     explicit StVenantKirchhoff(const ElasticParameters &elasticity);
 
-    void evaluate(const PlaneTensor &F,
-                  const MaterialState &old,
-                  const double dt,
-                  const bool with_tangent,
-                  MaterialResponse &response) const override;
+    void
+    evaluate(const PlaneTensor   &F,
+             const MaterialState &old,
+             const double         dt,
+             const bool           with_tangent,
+             MaterialResponse    &response) const override;
 
-    double density() const override;
-    double young_modulus() const override;
-    double poisson_ratio() const override;
-    std::string name() const override;
+    double
+    density() const override;
+    double
+    young_modulus() const override;
+    double
+    poisson_ratio() const override;
+    std::string
+    name() const override;
 
   private:
     ElasticParameters elasticity;
-    double lambda, mu;
+    double            lambda, mu;
   };
 
   /**
@@ -45,20 +50,25 @@ namespace asperity
     /** @throws InputError if a constant has no physical meaning */
     explicit NeoHooke(const ElasticParameters &elasticity);
 
-    void evaluate(const PlaneTensor &F,
-                  const MaterialState &old,
-                  const double dt,
-                  const bool with_tangent,
-                  MaterialResponse &response) const override;
+    void
+    evaluate(const PlaneTensor   &F,
+             const MaterialState &old,
+             const double         dt,
+             const bool           with_tangent,
+             MaterialResponse    &response) const override;
 
-    double density() const override;
-    double young_modulus() const override;
-    double poisson_ratio() const override;
-    std::string name() const override;
+    double
+    density() const override;
+    double
+    young_modulus() const override;
+    double
+    poisson_ratio() const override;
+    std::string
+    name() const override;
 
   private:
     ElasticParameters elasticity;
-    double lambda, mu;
+    double            lambda, mu;
   };
 } // namespace asperity
 

@@ -45,26 +45,30 @@ namespace asperity
      * A + B eps^n [Pa]. The slope is infinite at 0 if n < 1; negative strain
      * (round-off) counts as 0.
      */
-    ValueAndSlope hardening(const double plastic_strain) const;
+    ValueAndSlope
+    hardening(const double plastic_strain) const;
 
     /** 1 + C ln max(1, rate/reference_rate), rate in 1/s. */
-    ValueAndSlope rate_factor(const double rate) const;
+    ValueAndSlope
+    rate_factor(const double rate) const;
 
     /** max(thermal_floor, 1 - T*^m), temperature in K. */
-    ValueAndSlope thermal_factor(const double temperature) const;
+    ValueAndSlope
+    thermal_factor(const double temperature) const;
 
     /** The flow stress at rest [Pa]. */
-    double static_value(const double plastic_strain,
-                        const double temperature) const;
+    double
+    static_value(const double plastic_strain, const double temperature) const;
 
     /** The flow stress and its derivatives. */
-    FlowStressValue evaluate(const double plastic_strain,
-                             const double rate,
-                             const double temperature) const;
+    FlowStressValue
+    evaluate(const double plastic_strain,
+             const double rate,
+             const double temperature) const;
 
   private:
     JohnsonCookParameters parameters;
-    double inverse_temperature_range;
+    double                inverse_temperature_range;
   };
 
 
@@ -72,17 +76,19 @@ namespace asperity
   // The functions below are inline since the return map calls them a few
   // times for each quadrature point.
 
-  inline double JohnsonCook::static_value(const double plastic_strain,
-                                          const double temperature) const
+  inline double
+  JohnsonCook::static_value(const double plastic_strain,
+                            const double temperature) const
   {
     return hardening(plastic_strain).value * thermal_factor(temperature).value;
   }
 
 
 
-  inline FlowStressValue JohnsonCook::evaluate(const double plastic_strain,
-                                               const double rate,
-                                               const double temperature) const
+  inline FlowStressValue
+  JohnsonCook::evaluate(const double plastic_strain,
+                        const double rate,
+                        const double temperature) const
   {
     const ValueAndSlope h = hardening(plastic_strain);
     const ValueAndSlope r = rate_factor(rate);

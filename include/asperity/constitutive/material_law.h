@@ -42,12 +42,12 @@ namespace asperity
   /** What a law answers. P and tangent are undefined unless status is ok. */
   struct MaterialResponse
   {
-    PlaneTensor P{};          ///< first Piola-Kirchhoff stress [Pa]
-    PlaneTangent tangent{};   ///< consistent tangent dP/dF [Pa]
+    PlaneTensor   P{};        ///< first Piola-Kirchhoff stress [Pa]
+    PlaneTangent  tangent{};  ///< consistent tangent dP/dF [Pa]
     MaterialState state;      ///< at the end of the step
-    double mises     = 0.;    ///< equivalent (von Mises) Kirchhoff stress [Pa]
-    bool plastic     = false; ///< whether the step yielded
-    LawStatus status = LawStatus::ok;
+    double        mises = 0.; ///< equivalent (von Mises) Kirchhoff stress [Pa]
+    bool          plastic = false; ///< whether the step yielded
+    LawStatus     status  = LawStatus::ok;
   };
 
   /**
@@ -66,22 +66,27 @@ namespace asperity
      * @param dt length of the step [s]; rates are differences over dt
      * @param with_tangent whether response.tangent is wanted
      */
-    virtual void evaluate(const PlaneTensor &F,
-                          const MaterialState &old,
-                          const double dt,
-                          const bool with_tangent,
-                          MaterialResponse &response) const = 0;
+    virtual void
+    evaluate(const PlaneTensor   &F,
+             const MaterialState &old,
+             const double         dt,
+             const bool           with_tangent,
+             MaterialResponse    &response) const = 0;
 
     /** Reference mass density [kg/m^3]. */
-    virtual double density() const = 0;
+    virtual double
+    density() const = 0;
 
     /** Young's modulus at small strain [Pa]; scales penalties. */
-    virtual double young_modulus() const = 0;
+    virtual double
+    young_modulus() const = 0;
 
     /** Poisson's ratio at small strain. */
-    virtual double poisson_ratio() const = 0;
+    virtual double
+    poisson_ratio() const = 0;
 
-    virtual std::string name() const = 0;
+    virtual std::string
+    name() const = 0;
   };
 } // namespace asperity
 

@@ -25,19 +25,20 @@ namespace asperity
    */
   struct MaterialParameters
   {
-    MaterialLawName law = MaterialLawName::johnson_cook;
-    ElasticParameters elasticity;
-    JohnsonCookParameters johnson_cook;
+    MaterialLawName               law = MaterialLawName::johnson_cook;
+    ElasticParameters             elasticity;
+    JohnsonCookParameters         johnson_cook;
     SaturationHardeningParameters hardening;
-    HeatingParameters heating;
+    HeatingParameters             heating;
 
     /** Declares the subsection "Material". */
-    void declare(ParameterDeclarator &parameters);
+    void
+    declare(ParameterDeclarator &parameters);
   };
 
   /** @throws InputError if the parameters have no physical meaning */
-  std::unique_ptr<MaterialLaw> make_material_law(
-    const MaterialParameters &parameters);
+  std::unique_ptr<MaterialLaw>
+  make_material_law(const MaterialParameters &parameters);
 } // namespace asperity
 
 #endif

@@ -27,8 +27,8 @@ namespace asperity
     double stress;      ///< q = sigma at the end of the step [Pa]
     double slope;       ///< dq/dq_trial
     double temperature; ///< at the end of the step [K]
-    int evaluations;    ///< of the flow stress
-    bool found;
+    int    evaluations; ///< of the flow stress
+    bool   found;
   };
 
   /**
@@ -46,69 +46,70 @@ namespace asperity
    * @param static_flow_stress sigma(eps_n, 0, T_n) [Pa]
    */
   template <class FlowStress>
-  ReturnSolution solve_return(const FlowStress &flow_stress,
-                              const ReturnProblem &p,
-                              const double static_flow_stress)
+  ReturnSolution
+  solve_return(const FlowStress    &flow_stress,
+               const ReturnProblem &p,
+               const double         static_flow_stress)
   {
     constexpr double epsilon          = std::numeric_limits<double>::epsilon();
-    constexpr int max_evaluations     = 200;
+    constexpr int    max_evaluations  = 200;
     constexpr double longest_g_step   = 0.3;
     constexpr double smallest_g_ratio = 1e-3;
     // A step this short in ln g is taken to first order without another
     // evaluation: what it leaves is its square.
     constexpr double last_step = 1e-9;
 
-    const double k = p.heating_coefficient;
-    double lower   = 0.;
-    double upper   = p.trial_stress / p.three_mu;
-    double g       = (p.trial_stress - static_flow_stress) / p.three_mu;
+    const double k     = p.heating_coefficient;
+    double       lower = 0.;
+    double       upper = p.trial_stress / p.three_mu;
+    double       g     = (p.trial_stress - static_flow_stress) / p.three_mu;
 
     for (int evaluation = 1; evaluation <= max_evaluations; ++evaluation)
-    {
-      const double q = p.trial_stress - p.three_mu * g;
-      const FlowStressValue sigma =
-        flow_stress.evaluate(p.plastic_strain + g,
-                             g * p.inverse_dt,
-                             p.temperature + k * q * g);
-      // d sigma/d g at fixed trial stress
-      const double hardening = sigma.d_strain + sigma.d_rate * p.inverse_dt +
-        sigma.d_temperature * k * (q - p.three_mu * g);
-      const double residual = q - sigma.value;
-      const double slope    = -p.three_mu - hardening;
-      const double step     = -residual / slope;
-
-      if (residual > 0.)
-        lower = g;
-      else
-        upper = g;
-
-      const bool last = (slope < 0. && std::abs(step) <= last_step * g);
-      if (last || std::abs(residual) <= 4. * epsilon * p.trial_stress ||
-          upper - lower <= 4. * epsilon * upper)
       {
-        ReturnSolution solution;
-        solution.increment = last ? g + step : g;
-        solution.stress    = sigma.value + (last ? hardening * step : 0.);
-        solution.temperature =
-          p.temperature + k * solution.stress * solution.increment;
-        // by implicit differentiation of R(g, q_trial) = 0
-        const double explicit_part = sigma.d_temperature * k * g;
-        solution.slope =
-          hardening * ((1. - explicit_part) / (p.three_mu + hardening)) +
-          explicit_part;
-        solution.evaluations = evaluation;
-        solution.found       = std::isfinite(solution.slope);
-        return solution;
-      }
+        const double          q = p.trial_stress - p.three_mu * g;
+        const FlowStressValue sigma =
+          flow_stress.evaluate(p.plastic_strain + g,
+                               g * p.inverse_dt,
+                               p.temperature + k * q * g);
+        // d sigma/d g at fixed trial stress
+        const double hardening = sigma.d_strain + sigma.d_rate * p.inverse_dt +
+                                 sigma.d_temperature * k * (q - p.three_mu * g);
+        const double residual = q - sigma.value;
+        const double slope    = -p.three_mu - hardening;
+        const double step     = -residual / slope;
 
-      double next = g + step;
-      if (std::abs(step) > longest_g_step * g)
-        next = g * std::exp(step / g);
-      if (!(slope < 0. && next > lower && next < upper))
-        next = (lower > 0.) ? std::sqrt(lower) * std::sqrt(upper)
-                            : smallest_g_ratio * upper;
-      g = next;
-    }
+        if (residual > 0.)
+          lower = g;
+        else
+          upper = g;
+
+        const bool last = (slope < 0. && std::abs(step) <= last_step * g);
+        if (last || std::abs(residual) <= 4. * epsilon * p.trial_stress ||
+            upper - lower <= 4. * epsilon * upper)
+          {
+            ReturnSolution solution;
+            solution.increment = last ? g + step : g;
+            solution.stress    = sigma.value + (last ? hardening * step : 0.);
+            solution.temperature =
+              p.temperature + k * solution.stress * solution.increment;
+            // by implicit differentiation of R(g, q_trial) = 0
+            const double explicit_part = sigma.d_temperature * k * g;
+            solution.slope =
+              hardening * ((1. - explicit_part) / (p.three_mu + hardening)) +
+              explicit_part;
+            solution.evaluations = evaluation;
+            solution.found       = std::isfinite(solution.slope);
+            return solution;
+          }
+
+        double next = g + step;
+        if (std::abs(step) > longest_g_step * g)
+          next = g * std::exp(step / g);
+        if (!(slope < 0. && next > lower && next < upper))
+          next = (lower > 0.) ? std::sqrt(lower) * std::sqrt(upper) :
+                                smallest_g_ratio * upper;
+        g = next;
+      }
     return {g, 0., 0., p.temperature, max_evaluations, false};
   }
 } // namespace asperity

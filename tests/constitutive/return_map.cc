@@ -1,0 +1,247 @@
+#include <asperity/constitutive/return_map.h>
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "law_tools.h"
+
+using namespace asperity;
+using namespace asperity::law_tools;
+
+namespace
+{
+  constexpr double zero_celsius = 273.15;
+
+  /** chi/(rho c_p) of the default steel [K/Pa]. */
+  constexpr double heating = 0.9 / (7800. * 450.);
+
+
+
+  /** F dF, dF being a shear and a stretch of equivalent strain about e. */
+  PlaneTensor
+  strained(const PlaneTensor &F, const double e)
+  {
+    const double      k  = 0.6 * e;
+    const double      s  = 0.8 * e;
+    const PlaneTensor dF = {{std::exp(k), s, 0.1 * s, std::exp(-k), 1.}};
+    return {{dF[0] * F[0] + dF[1] * F[2],
+             dF[0] * F[1] + dF[1] * F[3],
+             dF[2] * F[0] + dF[3] * F[2],
+             dF[2] * F[1] + dF[3] * F[3],
+             F[4]}};
+  }
+} // namespace
+
+
+
+TEST(ReturnMap, NeverFailsOverRatesTemperaturesAndIncrements)
+{
+  const auto        law = make_material_law(MaterialParameters());
+  const JohnsonCook flow{JohnsonCookParameters()};
+  const double      three_mu  = 3. * ElasticParameters().shear_modulus();
+  int               n_plastic = 0, n_elastic = 0;
+  double            worst = 0.;
+  for (double rate = 1e-6; rate < 2e9; rate *= 10.)
+    for (double celsius = 20.; celsius <= 1600.; celsius += 79.)
+      for (double increment = 1e-8; increment < 2.; increment *= 10.)
+        for (const double plastic_strain : {0., 0.02})
+          {
+            SCOPED_TRACE(testing::Message()
+                         << "rate " << rate << ", " << celsius
+                         << " degC, increment " << increment
+                         << ", plastic strain " << plastic_strain);
+            MaterialState old;
+            old.temperature    = celsius + zero_celsius;
+            old.plastic_strain = plastic_strain;
+            // from the yield surface
+            const PlaneTensor at_yield = isochoric_stretch(
+              flow.static_value(plastic_strain, old.temperature) / three_mu);
+            const PlaneTensor F     = strained(at_yield, increment);
+            const double      dt    = increment / rate;
+            const double      scale = std::fmin(increment, 1e-2);
+
+            const MaterialResponse r = evaluate(*law, F, old, dt);
+            ASSERT_EQ(r.status, LawStatus::ok);
+            ASSERT_TRUE(std::isfinite(r.mises));
+            ASSERT_GE(r.state.plastic_strain, old.plastic_strain);
+            ASSERT_GE(r.state.temperature, old.temperature);
+            (r.plastic ? n_plastic : n_elastic) += 1;
+
+            // A step must be short compared with the increment, shorter still
+            // next to a kink of the law, but not so short that round-off shows.
+            double error = tangent_error(*law, F, old, dt, 0.4 * scale);
+            for (double step = 0.2; step > 1e-4 && error > 1e-7; step *= 0.5)
+              error =
+                std::fmin(error, tangent_error(*law, F, old, dt, step * scale));
+            worst = std::fmax(worst, error);
+            EXPECT_LT(error, 1e-6);
+          }
+  std::ostringstream text;
+  text << worst;
+  RecordProperty("worst_tangent_error", text.str());
+  EXPECT_GT(n_plastic, 5000);
+}
+
+
+
+TEST(ReturnMap, EndsOnTheYieldSurfaceAndHeatsByThePlasticWork)
+{
+  const auto        law = make_material_law(MaterialParameters());
+  const JohnsonCook flow{JohnsonCookParameters()};
+  RandomDeformation random(5);
+  int               n_plastic = 0;
+  for (const double dt : {1e-9, 1e-6, 1., 1e6})
+    {
+      PlaneTensor   F = identity;
+      MaterialState state;
+      for (int step = 0; step < 300; ++step)
+        {
+          F                        = random.near(F, 0.01);
+          const MaterialResponse r = evaluate(*law, F, state, dt);
+          ASSERT_EQ(r.status, LawStatus::ok);
+          EXPECT_NEAR(mises_of(r.P, F), r.mises, 1e-11 * r.mises + 1e-3);
+          if (r.plastic)
+            {
+              ++n_plastic;
+              const double increment =
+                r.state.plastic_strain - state.plastic_strain;
+              const double expected = flow
+                                        .evaluate(r.state.plastic_strain,
+                                                  increment / dt,
+                                                  r.state.temperature)
+                                        .value;
+              // the increment is known to round-off of the strain only
+              const double rate_error =
+                2e-16 * r.state.plastic_strain / increment;
+              EXPECT_NEAR(r.mises, expected, (1e-9 + rate_error) * expected);
+              EXPECT_NEAR(r.state.temperature - state.temperature,
+                          heating * r.mises * increment,
+                          1e-10);
+            }
+          else
+            EXPECT_LE(r.mises,
+                      (1. + 1e-10) * flow.static_value(state.plastic_strain,
+                                                       state.temperature));
+          state = r.state;
+        }
+    }
+  EXPECT_GT(n_plastic, 300);
+}
+
+
+
+TEST(ReturnMap, PlasticFlowKeepsTheVolume)
+{
+  for (const auto &law : all_laws())
+    {
+      RandomDeformation random(6);
+      PlaneTensor       F = identity;
+      MaterialState     state;
+      for (int step = 0; step < 2000; ++step)
+        {
+          F     = random.near(F, 0.005);
+          state = evaluate(*law, F, state, 1e-7).state;
+        }
+      EXPECT_NEAR(determinant(state.Cp_inverse), 1., 1e-12) << law->name();
+    }
+}
+
+
+
+TEST(ReturnMap, AStepThatDoesNotMoveDoesNotYieldAgain)
+{
+  const auto        law = make_material_law(MaterialParameters());
+  RandomDeformation random(7);
+  for (int i = 0; i < 100; ++i)
+    {
+      const PlaneTensor      F = random.near(identity, 0.3);
+      const MaterialResponse r = evaluate(*law, F, {}, 1e9);
+      ASSERT_TRUE(r.plastic);
+      MaterialState state = r.state;
+      for (int repeat = 0; repeat < 10; ++repeat)
+        {
+          const MaterialResponse again = evaluate(*law, F, state, 1e9);
+          ASSERT_FALSE(again.plastic);
+          EXPECT_EQ(again.state.plastic_strain, r.state.plastic_strain);
+          state = again.state;
+        }
+    }
+}
+
+
+
+TEST(ReturnMap, HeldAfterAFastStepTheStressRelaxesToTheStaticFlowStress)
+{
+  const auto        law = make_material_law(MaterialParameters());
+  const JohnsonCook flow{JohnsonCookParameters()};
+  const PlaneTensor F  = isochoric_stretch(0.05);
+  MaterialResponse  r  = evaluate(*law, F, {}, 1e-7);
+  double            dt = 1e-7;
+  for (int step = 0; step < 40; ++step, dt *= 2.)
+    {
+      const double before = r.mises;
+      r                   = evaluate(*law, F, r.state, dt);
+      const double at_rest =
+        flow.static_value(r.state.plastic_strain, r.state.temperature);
+      EXPECT_LE(r.mises, before * (1. + 1e-12));
+      EXPECT_GE(r.mises, at_rest * (1. - 1e-12));
+    }
+  EXPECT_NEAR(r.mises,
+              flow.static_value(r.state.plastic_strain, r.state.temperature),
+              1e-9 * r.mises);
+}
+
+
+
+TEST(ReturnMap, TurnsInsideOutOrNotANumberIsAStatus)
+{
+  const double                   nan = std::nan(""), infinity = INFINITY;
+  const std::vector<PlaneTensor> impossible = {{{-1., 0., 0., 1., 1.}},
+                                               {{1., 2., 1., 1., 1.}},
+                                               {{1., 1., 1., 1., 1.}},
+                                               {{1., 0., 0., 1., 0.}},
+                                               {{1., 0., 0., 1., -1.}},
+                                               {{-1., 0., 0., 1., -1.}},
+                                               {{0., 0., 0., 0., 0.}},
+                                               {{nan, 0., 0., 1., 1.}},
+                                               {{1., 0., nan, 1., 1.}},
+                                               {{1., 0., 0., 1., nan}},
+                                               {{infinity, 0., 0., 1., 1.}},
+                                               {{1., 0., 0., 1., infinity}}};
+  for (const auto &law : all_laws())
+    for (const PlaneTensor &F : impossible)
+      EXPECT_EQ(evaluate(*law, F).status, LawStatus::inverted)
+        << law->name() << ' ' << F[0] << ' ' << F[1] << ' ' << F[2] << ' '
+        << F[3] << ' ' << F[4];
+}
+
+
+
+TEST(ReturnMap, NeedsFewEvaluationsOfTheFlowStress)
+{
+  const JohnsonCook flow{JohnsonCookParameters()};
+  const double      three_mu = 3. * ElasticParameters().shear_modulus();
+  int               total = 0, worst = 0, n = 0;
+  for (const double plastic_strain : {1e-4, 0.01, 0.3})
+    for (const double increment : {1e-5, 1e-4, 1e-3, 1e-2, 0.1})
+      for (const double rate : {1e2, 1e5, 1e7})
+        {
+          const double static_stress = flow.static_value(plastic_strain, 400.);
+          const ReturnSolution solution =
+            solve_return(flow,
+                         ReturnProblem{static_stress + three_mu * increment,
+                                       three_mu,
+                                       plastic_strain,
+                                       400.,
+                                       rate / increment,
+                                       heating},
+                         static_stress);
+          ASSERT_TRUE(solution.found);
+          total += solution.evaluations;
+          worst = std::max(worst, solution.evaluations);
+          ++n;
+        }
+  EXPECT_LE(worst, 15);
+  EXPECT_LE(total, 6 * n);
+}
