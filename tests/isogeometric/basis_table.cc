@@ -3,11 +3,12 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
-#include "example_spaces.h"
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numeric>
+
+#include "example_spaces.h"
 
 using namespace asperity;
 using dealii::Point;
@@ -20,21 +21,22 @@ namespace
 
   /** A curved map that the space contains, and one with random periodic
    *  offsets small enough not to fold. */
-  PatchGeometry curved(const SplineSpace &space)
+  PatchGeometry
+  curved(const SplineSpace &space)
   {
     if (space.periodic_x())
-    {
-      PatchGeometry geometry;
-      const auto c = example::random_coefficients(2 * space.n_functions());
-      for (unsigned int a = 0; a < space.n_functions(); ++a)
       {
-        Tensor<1, 2> D;
-        D[0] = 0.004 * c[2 * a];
-        D[1] = 0.004 * c[2 * a + 1];
-        geometry.offset.push_back(D);
+        PatchGeometry geometry;
+        const auto    c = example::random_coefficients(2 * space.n_functions());
+        for (unsigned int a = 0; a < space.n_functions(); ++a)
+          {
+            Tensor<1, 2> D;
+            D[0] = 0.004 * c[2 * a];
+            D[1] = 0.004 * c[2 * a + 1];
+            geometry.offset.push_back(D);
+          }
+        return geometry;
       }
-      return geometry;
-    }
     return PatchGeometry::from_map(space, [&](const Point<2> &x) {
       if (space.degree() == 1)
         return Point<2>(x[0] + 0.2 * x[0] * x[1], x[1]);
@@ -43,7 +45,8 @@ namespace
   }
 
   /** Integral of the determinant of the maps of curved() over [0,2] x [0,1]. */
-  double area_of_curved(const SplineSpace &space)
+  double
+  area_of_curved(const SplineSpace &space)
   {
     return space.degree() == 1 ? 2.2 : 2. - 0.4 * 0.2 * 2. * 0.5;
   }
@@ -53,160 +56,164 @@ TEST(BasisTable, measures_of_a_curved_patch)
 {
   for (const auto &[name, space] : example::all())
     if (!space->periodic_x())
-    {
-      const auto geometry = curved(*space);
-      const auto table    = tabulate_cells(*space, geometry, QGauss<2>(3));
-      const double area =
-        std::accumulate(table.JxW.begin(), table.JxW.end(), 0.);
-      EXPECT_NEAR(area, area_of_curved(*space), 1e-12) << name;
-      if (space->degree() > 1)
       {
-        // Top edge y = 1 + 0.1 x^2, x = xi + 0.2: the length of a parabola.
-        const auto top =
-          tabulate_edge(*space, geometry, Edge::top, QGauss<1>(8));
-        const double length =
-          std::accumulate(top.JxW.begin(), top.JxW.end(), 0.);
-        const double k = 0.2, t = 2.;
-        EXPECT_NEAR(length,
-                    0.5 * t * std::sqrt(1. + k * k * t * t) +
-                      std::asinh(k * t) / (2. * k),
-                    1e-11)
-          << name;
+        const auto   geometry = curved(*space);
+        const auto   table    = tabulate_cells(*space, geometry, QGauss<2>(3));
+        const double area =
+          std::accumulate(table.JxW.begin(), table.JxW.end(), 0.);
+        EXPECT_NEAR(area, area_of_curved(*space), 1e-12) << name;
+        if (space->degree() > 1)
+          {
+            // Top edge y = 1 + 0.1 x^2, x = xi + 0.2: the length of a parabola.
+            const auto top =
+              tabulate_edge(*space, geometry, Edge::top, QGauss<1>(8));
+            const double length =
+              std::accumulate(top.JxW.begin(), top.JxW.end(), 0.);
+            const double k = 0.2, t = 2.;
+            EXPECT_NEAR(length,
+                        0.5 * t * std::sqrt(1. + k * k * t * t) +
+                          std::asinh(k * t) / (2. * k),
+                        1e-11)
+              << name;
+          }
       }
-    }
 }
 
 TEST(BasisTable, divergence_theorem_for_every_function)
 {
   for (const auto &[name, space] : example::all())
-  {
-    const auto geometry = curved(*space);
-    std::vector<Tensor<1, 2>> defect(space->n_functions());
-    const auto cells =
-      tabulate_cells(*space, geometry, QGauss<2>(2 * space->degree()));
-    for (const auto &element : cells.elements)
-      for (unsigned int q = 0; q < cells.points_per_element; ++q)
-        for (unsigned int a = 0; a < element.functions.size(); ++a)
-          defect[element.functions[a]] +=
-            element.gradients[q * element.functions.size() + a] *
-            cells.JxW[element.first_point + q];
-    for (const Edge edge : edges)
     {
-      const auto table = tabulate_edge(
-        *space, geometry, edge, QGauss<1>(2 * space->degree()), true);
-      for (const auto &element : table.elements)
-        for (unsigned int q = 0; q < table.points_per_element; ++q)
+      const auto                geometry = curved(*space);
+      std::vector<Tensor<1, 2>> defect(space->n_functions());
+      const auto                cells =
+        tabulate_cells(*space, geometry, QGauss<2>(2 * space->degree()));
+      for (const auto &element : cells.elements)
+        for (unsigned int q = 0; q < cells.points_per_element; ++q)
           for (unsigned int a = 0; a < element.functions.size(); ++a)
-            defect[element.functions[a]] -=
-              element.values[q * element.functions.size() + a] *
-              table.JxW[element.first_point + q] *
-              table.normal[element.first_point + q];
+            defect[element.functions[a]] +=
+              element.gradients[q * element.functions.size() + a] *
+              cells.JxW[element.first_point + q];
+      for (const Edge edge : edges)
+        {
+          const auto table = tabulate_edge(
+            *space, geometry, edge, QGauss<1>(2 * space->degree()), true);
+          for (const auto &element : table.elements)
+            for (unsigned int q = 0; q < table.points_per_element; ++q)
+              for (unsigned int a = 0; a < element.functions.size(); ++a)
+                defect[element.functions[a]] -=
+                  element.values[q * element.functions.size() + a] *
+                  table.JxW[element.first_point + q] *
+                  table.normal[element.first_point + q];
+        }
+      for (const auto &d : defect)
+        EXPECT_NEAR(d.norm(), 0., 1e-13) << name;
     }
-    for (const auto &d : defect)
-      EXPECT_NEAR(d.norm(), 0., 1e-13) << name;
-  }
 }
 
 TEST(BasisTable, values_and_gradients_are_those_of_evaluation)
 {
   for (const auto &[name, space] : example::all())
-  {
-    const auto geometry = curved(*space);
-    const auto table    = tabulate_cells(*space, geometry, QGauss<2>(2));
-    std::vector<double> N;
-    std::vector<Tensor<1, 2>> dN;
-    for (const auto &element : table.elements)
-      for (unsigned int q = 0; q < table.points_per_element; ++q)
-      {
-        const unsigned int point = element.first_point + q;
-        space->evaluate(element.cell, table.parameter[point], N, &dN);
-        EXPECT_EQ(element.functions, space->cell_functions(element.cell));
-        EXPECT_NEAR((geometry.position(*space, table.parameter[point]) -
-                     table.position[point])
-                      .norm(),
-                    0.,
-                    1e-14);
-        Tensor<2, 2> J;
-        J[0][0] = J[1][1] = 1.;
-        for (unsigned int a = 0; a < N.size(); ++a)
-          J += outer_product(geometry.offset[element.functions[a]], dN[a]);
-        for (unsigned int a = 0; a < N.size(); ++a)
-        {
-          EXPECT_NEAR(element.values[q * N.size() + a], N[a], 1e-14);
-          // Chain rule, written without an inverse.
-          EXPECT_NEAR(
-            (transpose(J) * element.gradients[q * N.size() + a] - dN[a]).norm(),
-            0.,
-            1e-11)
-            << name;
-        }
-      }
-  }
+    {
+      const auto geometry = curved(*space);
+      const auto table    = tabulate_cells(*space, geometry, QGauss<2>(2));
+      std::vector<double>       N;
+      std::vector<Tensor<1, 2>> dN;
+      for (const auto &element : table.elements)
+        for (unsigned int q = 0; q < table.points_per_element; ++q)
+          {
+            const unsigned int point = element.first_point + q;
+            space->evaluate(element.cell, table.parameter[point], N, &dN);
+            EXPECT_EQ(element.functions, space->cell_functions(element.cell));
+            EXPECT_NEAR((geometry.position(*space, table.parameter[point]) -
+                         table.position[point])
+                          .norm(),
+                        0.,
+                        1e-14);
+            Tensor<2, 2> J;
+            J[0][0] = J[1][1] = 1.;
+            for (unsigned int a = 0; a < N.size(); ++a)
+              J += outer_product(geometry.offset[element.functions[a]], dN[a]);
+            for (unsigned int a = 0; a < N.size(); ++a)
+              {
+                EXPECT_NEAR(element.values[q * N.size() + a], N[a], 1e-14);
+                // Chain rule, written without an inverse.
+                EXPECT_NEAR(
+                  (transpose(J) * element.gradients[q * N.size() + a] - dN[a])
+                    .norm(),
+                  0.,
+                  1e-11)
+                  << name;
+              }
+          }
+    }
 }
 
 TEST(BasisTable, edge_values_are_the_traces_of_the_cell)
 {
   for (const auto &[name, space] : example::all())
     for (const Edge edge : edges)
-    {
-      const auto geometry = curved(*space);
-      const auto full     = tabulate_edge(*space, geometry, edge, QGauss<1>(3));
-      const auto traces =
-        tabulate_edge(*space, geometry, edge, QGauss<1>(3), true);
-      const unsigned int along =
-        (edge == Edge::left || edge == Edge::right) ? 1 : 0;
-      std::vector<double> N;
-      std::vector<Tensor<1, 2>> dN;
-      double previous = -1.;
-      for (unsigned int e = 0; e < full.elements.size(); ++e)
-        for (unsigned int q = 0; q < 3; ++q)
-        {
-          const auto &element      = full.elements[e];
-          const auto &trace        = traces.elements[e];
-          const unsigned int point = element.first_point + q;
-          const auto n             = element.functions.size();
-          const auto n_trace       = trace.functions.size();
-          EXPECT_GT(full.parameter[point][along], previous);
-          previous = full.parameter[point][along];
-          space->evaluate(element.cell, full.parameter[point], N, &dN);
-          Tensor<2, 2> J;
-          J[0][0] = J[1][1] = 1.;
-          for (unsigned int a = 0; a < n; ++a)
-            J += outer_product(geometry.offset[element.functions[a]], dN[a]);
-          Tensor<1, 2> tangent;
-          for (unsigned int d = 0; d < 2; ++d)
-            tangent[d] = J[d][along];
-          const auto normal = full.normal[point];
-          EXPECT_NEAR(normal.norm(), 1., 1e-14);
-          EXPECT_NEAR(normal * tangent, 0., 1e-13);
-          unsigned int matched = 0;
-          for (unsigned int a = 0; a < n; ++a)
-          {
-            EXPECT_NEAR(element.values[q * n + a], N[a], 1e-14) << name;
-            EXPECT_NEAR(element.gradients[q * n + a][0] * tangent.norm(),
-                        dN[a][along],
-                        1e-10)
-              << name;
-            Tensor<1, 2> gradient =
-              element.gradients[q * n + a][0] * tangent / tangent.norm();
-            gradient += element.gradients[q * n + a][1] * normal;
-            EXPECT_NEAR((transpose(J) * gradient - dN[a]).norm(), 0., 1e-10)
-              << name;
-            if (matched < n_trace &&
-                trace.functions[matched] == element.functions[a])
+      {
+        const auto geometry = curved(*space);
+        const auto full = tabulate_edge(*space, geometry, edge, QGauss<1>(3));
+        const auto traces =
+          tabulate_edge(*space, geometry, edge, QGauss<1>(3), true);
+        const unsigned int along =
+          (edge == Edge::left || edge == Edge::right) ? 1 : 0;
+        std::vector<double>       N;
+        std::vector<Tensor<1, 2>> dN;
+        double                    previous = -1.;
+        for (unsigned int e = 0; e < full.elements.size(); ++e)
+          for (unsigned int q = 0; q < 3; ++q)
             {
-              EXPECT_EQ(trace.values[q * n_trace + matched],
-                        element.values[q * n + a]);
-              ++matched;
+              const auto        &element = full.elements[e];
+              const auto        &trace   = traces.elements[e];
+              const unsigned int point   = element.first_point + q;
+              const auto         n       = element.functions.size();
+              const auto         n_trace = trace.functions.size();
+              EXPECT_GT(full.parameter[point][along], previous);
+              previous = full.parameter[point][along];
+              space->evaluate(element.cell, full.parameter[point], N, &dN);
+              Tensor<2, 2> J;
+              J[0][0] = J[1][1] = 1.;
+              for (unsigned int a = 0; a < n; ++a)
+                J +=
+                  outer_product(geometry.offset[element.functions[a]], dN[a]);
+              Tensor<1, 2> tangent;
+              for (unsigned int d = 0; d < 2; ++d)
+                tangent[d] = J[d][along];
+              const auto normal = full.normal[point];
+              EXPECT_NEAR(normal.norm(), 1., 1e-14);
+              EXPECT_NEAR(normal * tangent, 0., 1e-13);
+              unsigned int matched = 0;
+              for (unsigned int a = 0; a < n; ++a)
+                {
+                  EXPECT_NEAR(element.values[q * n + a], N[a], 1e-14) << name;
+                  EXPECT_NEAR(element.gradients[q * n + a][0] * tangent.norm(),
+                              dN[a][along],
+                              1e-10)
+                    << name;
+                  Tensor<1, 2> gradient =
+                    element.gradients[q * n + a][0] * tangent / tangent.norm();
+                  gradient += element.gradients[q * n + a][1] * normal;
+                  EXPECT_NEAR((transpose(J) * gradient - dN[a]).norm(),
+                              0.,
+                              1e-10)
+                    << name;
+                  if (matched < n_trace &&
+                      trace.functions[matched] == element.functions[a])
+                    {
+                      EXPECT_EQ(trace.values[q * n_trace + matched],
+                                element.values[q * n + a]);
+                      ++matched;
+                    }
+                  else
+                    {
+                      EXPECT_NEAR(N[a], 0., 1e-15) << name;
+                    }
+                }
+              EXPECT_EQ(matched, n_trace);
             }
-            else
-            {
-              EXPECT_NEAR(N[a], 0., 1e-15) << name;
-            }
-          }
-          EXPECT_EQ(matched, n_trace);
-        }
-    }
+      }
 }
 
 TEST(BasisTable, outward_normals_of_the_rectangle)

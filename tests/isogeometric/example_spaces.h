@@ -15,22 +15,22 @@ namespace example
   using asperity::SplineSpace;
 
   /** n spans of unequal length on [0, length]. */
-  inline std::vector<double> breakpoints(const unsigned int n,
-                                         const double length)
+  inline std::vector<double>
+  breakpoints(const unsigned int n, const double length)
   {
     std::vector<double> t(n + 1);
     for (unsigned int i = 0; i <= n; ++i)
-    {
-      const double s = double(i) / n;
-      t[i]           = length * (s + 0.3 * s * (1. - s));
-    }
+      {
+        const double s = double(i) / n;
+        t[i]           = length * (s + 0.3 * s * (1. - s));
+      }
     t[n] = length;
     return t;
   }
 
   /** [0, 2] x [0, 1] with 7 x 5 unequal spans. */
-  inline std::unique_ptr<SplineSpace> uniform(const unsigned int degree,
-                                              const bool periodic)
+  inline std::unique_ptr<SplineSpace>
+  uniform(const unsigned int degree, const bool periodic)
   {
     return std::make_unique<SplineSpace>(
       KnotVector(degree, breakpoints(7, 2.), periodic),
@@ -38,8 +38,8 @@ namespace example
   }
 
   /** Three levels, refined towards the start of the period and the top. */
-  inline std::unique_ptr<SplineSpace> graded(const unsigned int degree,
-                                             const bool periodic)
+  inline std::unique_ptr<SplineSpace>
+  graded(const unsigned int degree, const bool periodic)
   {
     auto space = uniform(degree, periodic);
     space->refine_to_level(2,
@@ -51,61 +51,64 @@ namespace example
   }
 
   /** Four levels around a point inside. */
-  inline std::unique_ptr<SplineSpace> spot(const unsigned int degree,
-                                           const bool periodic)
+  inline std::unique_ptr<SplineSpace>
+  spot(const unsigned int degree, const bool periodic)
   {
     auto space = uniform(degree, periodic);
     space->refine_to_level(3,
                            [](const dealii::Point<2> &low,
                               const dealii::Point<2> &high) {
                              return low[0] <= 1.1 && high[0] >= 1.1 &&
-                               low[1] <= 0.4 && high[1] >= 0.4;
+                                    low[1] <= 0.4 && high[1] >= 0.4;
                            });
     return space;
   }
 
   struct Case
   {
-    std::string name;
+    std::string                  name;
     std::unique_ptr<SplineSpace> space;
   };
 
   /** All of the above for degrees 1 to 4, open and periodic. */
-  inline std::vector<Case> all()
+  inline std::vector<Case>
+  all()
   {
     std::vector<Case> cases;
     for (unsigned int degree = 1; degree <= 4; ++degree)
       for (const bool periodic : {false, true})
-      {
-        const std::string name = "degree " + std::to_string(degree) +
-          (periodic ? ", periodic" : ", open");
-        cases.push_back({name + ", uniform", uniform(degree, periodic)});
-        cases.push_back({name + ", graded", graded(degree, periodic)});
-        cases.push_back({name + ", spot", spot(degree, periodic)});
-      }
+        {
+          const std::string name = "degree " + std::to_string(degree) +
+                                   (periodic ? ", periodic" : ", open");
+          cases.push_back({name + ", uniform", uniform(degree, periodic)});
+          cases.push_back({name + ", graded", graded(degree, periodic)});
+          cases.push_back({name + ", spot", spot(degree, periodic)});
+        }
     return cases;
   }
 
   /** Reproducible points of the rectangle. */
-  inline std::vector<dealii::Point<2>> random_points(const unsigned int n)
+  inline std::vector<dealii::Point<2>>
+  random_points(const unsigned int n)
   {
-    std::mt19937 generator(7);
+    std::mt19937                           generator(7);
     std::uniform_real_distribution<double> uniform(0., 1.);
-    std::vector<dealii::Point<2>> points;
+    std::vector<dealii::Point<2>>          points;
     for (unsigned int i = 0; i < n; ++i)
-    {
-      const double x = 2. * uniform(generator);
-      points.emplace_back(x, uniform(generator));
-    }
+      {
+        const double x = 2. * uniform(generator);
+        points.emplace_back(x, uniform(generator));
+      }
     return points;
   }
 
   /** Value of a spline at a parameter. */
-  inline double value(const SplineSpace &space,
-                      const std::vector<double> &coefficients,
-                      const dealii::Point<2> &parameter)
+  inline double
+  value(const SplineSpace         &space,
+        const std::vector<double> &coefficients,
+        const dealii::Point<2>    &parameter)
   {
-    const unsigned int cell = space.find_cell(parameter);
+    const unsigned int  cell = space.find_cell(parameter);
     std::vector<double> N;
     space.evaluate(cell, parameter, N);
     double sum = 0.;
@@ -115,11 +118,12 @@ namespace example
   }
 
   /** Reproducible coefficients in [-1, 1]. */
-  inline std::vector<double> random_coefficients(const unsigned int n)
+  inline std::vector<double>
+  random_coefficients(const unsigned int n)
   {
-    std::mt19937 generator(11);
+    std::mt19937                           generator(11);
     std::uniform_real_distribution<double> uniform(-1., 1.);
-    std::vector<double> coefficients(n);
+    std::vector<double>                    coefficients(n);
     for (double &c : coefficients)
       c = uniform(generator);
     return coefficients;

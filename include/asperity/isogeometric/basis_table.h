@@ -22,8 +22,8 @@ namespace asperity
   };
 
   /** Points of a quadrature on an edge of the unit square. */
-  std::vector<dealii::Point<2>> edge_points(
-    const dealii::Quadrature<1> &quadrature, const Edge edge);
+  std::vector<dealii::Point<2>>
+  edge_points(const dealii::Quadrature<1> &quadrature, const Edge edge);
 
   /**
    * Everything that an integral over cells or over an edge needs, tabulated
@@ -35,7 +35,7 @@ namespace asperity
     /** One integration cell (or edge of a cell). */
     struct Element
     {
-      unsigned int cell = 0;
+      unsigned int              cell = 0;
       std::vector<unsigned int> functions;
       unsigned int first_point = 0; ///< into the point arrays below
 
@@ -48,9 +48,9 @@ namespace asperity
       std::vector<dealii::Tensor<1, 2>> gradients;
     };
 
-    unsigned int points_per_element = 0;
-    std::vector<Element> elements;
-    std::vector<double> JxW;                 ///< per point, reference measure
+    unsigned int                  points_per_element = 0;
+    std::vector<Element>          elements;
+    std::vector<double>           JxW;       ///< per point, reference measure
     std::vector<dealii::Point<2>> position;  ///< X, reference
     std::vector<dealii::Point<2>> parameter; ///< (xi, eta)
     std::vector<dealii::Tensor<1, 2>>
@@ -67,21 +67,23 @@ namespace asperity
     std::vector<dealii::Tensor<1, 2>> offset;
 
     /** The geometry X = map(xi, eta), projected to the space. */
-    static PatchGeometry from_map(
-      const SplineSpace &space,
+    static PatchGeometry
+    from_map(
+      const SplineSpace                                               &space,
       const std::function<dealii::Point<2>(const dealii::Point<2> &)> &map);
 
     /** X at a parameter; if the space is periodic, a parameter beyond the
      *  period gives the shifted image. */
-    dealii::Point<2> position(const SplineSpace &space,
-                              const dealii::Point<2> &parameter) const;
+    dealii::Point<2>
+    position(const SplineSpace &space, const dealii::Point<2> &parameter) const;
   };
 
   /** Table for integrals over the cells with a quadrature on the unit square.
    *  Throws ComputationError if the geometry folds at a point (det J <= 0). */
-  BasisTable tabulate_cells(const SplineSpace &space,
-                            const PatchGeometry &geometry,
-                            const dealii::Quadrature<2> &quadrature);
+  BasisTable
+  tabulate_cells(const SplineSpace           &space,
+                 const PatchGeometry         &geometry,
+                 const dealii::Quadrature<2> &quadrature);
 
   /**
    * Table for integrals over one edge, elements sorted along it; the direction
@@ -89,11 +91,12 @@ namespace asperity
    * @param only_traces leave out the functions that vanish on the edge: right
    *   for traces and derivatives along the edge, not for normal derivatives
    */
-  BasisTable tabulate_edge(const SplineSpace &space,
-                           const PatchGeometry &geometry,
-                           const Edge edge,
-                           const dealii::Quadrature<1> &quadrature,
-                           const bool only_traces = false);
+  BasisTable
+  tabulate_edge(const SplineSpace           &space,
+                const PatchGeometry         &geometry,
+                const Edge                   edge,
+                const dealii::Quadrature<1> &quadrature,
+                const bool                   only_traces = false);
 } // namespace asperity
 
 #endif

@@ -21,17 +21,18 @@ namespace asperity
     virtual ~ForceTerm() = default;
 
     /** Adds the couplings between unknowns that the tangent has. */
-    virtual void add_couplings(
-      dealii::DynamicSparsityPattern &pattern) const = 0;
+    virtual void
+    add_couplings(dealii::DynamicSparsityPattern &pattern) const = 0;
 
     /**
      * Adds the residual and, unless null, its derivative.
      * @return false if there is no residual at u (an inverted element): the
      *   vectors are then of no use.
      */
-    virtual bool add(const dealii::Vector<double> &u,
-                     dealii::Vector<double> &residual,
-                     dealii::SparseMatrix<double> *tangent) = 0;
+    virtual bool
+    add(const dealii::Vector<double> &u,
+        dealii::Vector<double>       &residual,
+        dealii::SparseMatrix<double> *tangent) = 0;
   };
 } // namespace asperity
 

@@ -14,27 +14,30 @@ namespace asperity
 {
   /** Bernstein polynomials of the unit cell that do not vanish on one of its
    *  edges, in order along it. */
-  std::vector<unsigned int> edge_bernstein(const unsigned int degree,
-                                           const Edge edge);
+  std::vector<unsigned int>
+  edge_bernstein(const unsigned int degree, const Edge edge);
 
   /** Rows of cell_extraction(cell) of functions that do not vanish on an edge
    *  of the cell. */
-  std::vector<unsigned int> trace_rows(const SplineHierarchy &hierarchy,
-                                       const unsigned int cell,
-                                       const Edge edge);
+  std::vector<unsigned int>
+  trace_rows(const SplineHierarchy &hierarchy,
+             const unsigned int     cell,
+             const Edge             edge);
 
   /** Active cells with a face on an edge of the parameter rectangle, sorted
    *  along it. */
-  std::vector<unsigned int> edge_cells(const SplineHierarchy &hierarchy,
-                                       const Edge edge);
+  std::vector<unsigned int>
+  edge_cells(const SplineHierarchy &hierarchy, const Edge edge);
 
   /** The edges that bound the domain: bottom and top, and if x is not periodic
    *  left and right. */
-  std::vector<Edge> boundary_edges(const SplineHierarchy &hierarchy);
+  std::vector<Edge>
+  boundary_edges(const SplineHierarchy &hierarchy);
 
   /** Integrals of products of Bernstein polynomials over [0, 1]:
    *  G(a, b) = C(p, a) C(p, b) / (C(2 p, a + b) (2 p + 1)). */
-  dealii::FullMatrix<double> bernstein_gramian(const unsigned int degree);
+  dealii::FullMatrix<double>
+  bernstein_gramian(const unsigned int degree);
 
   /**
    * The L2 projection in the parameters, factorised once. An edge term, the
@@ -45,14 +48,16 @@ namespace asperity
   {
   public:
     L2Projection(const SplineHierarchy &hierarchy,
-                 const double edge_weight = 0.);
+                 const double           edge_weight = 0.);
 
     /** The matrix of products, without factorisation; small spaces only. */
-    static dealii::FullMatrix<double> gramian(const SplineHierarchy &hierarchy);
+    static dealii::FullMatrix<double>
+    gramian(const SplineHierarchy &hierarchy);
 
     /** From the products of functions with the function to be projected to its
      *  coefficients. */
-    void solve(dealii::Vector<double> &right_hand_side) const;
+    void
+    solve(dealii::Vector<double> &right_hand_side) const;
 
   private:
     dealii::SparseDirectUMFPACK factorization;

@@ -37,19 +37,25 @@ namespace asperity
     /** Level-0 knot vectors; both have the same degree; x may be periodic. */
     SplineSpace(const KnotVector &knots_x, const KnotVector &knots_y);
 
-    unsigned int degree() const;
+    unsigned int
+    degree() const;
 
-    bool periodic_x() const;
+    bool
+    periodic_x() const;
 
-    unsigned int n_functions() const;
+    unsigned int
+    n_functions() const;
 
-    unsigned int n_cells() const;
+    unsigned int
+    n_cells() const;
 
     /** Parameter domain [x0,x1] x [y0,y1] as a mesh. Boundary ids as Edge. */
-    const dealii::Triangulation<2> &triangulation() const;
+    const dealii::Triangulation<2> &
+    triangulation() const;
 
     /** Set refine/coarsen flags here, then call execute_refinement(). */
-    dealii::Triangulation<2> &triangulation();
+    dealii::Triangulation<2> &
+    triangulation();
 
     /**
      * Carries out the deal.II flags and rebuilds the functions. First the flags
@@ -59,51 +65,59 @@ namespace asperity
      * flagged for refinement and coarsening is refused as this needs.
      * (A. Buffa, C. Giannelli, M3AS 26 (2016) 1-25, algorithm REFINE, m = 2.)
      */
-    void execute_refinement();
+    void
+    execute_refinement();
 
     /** Refines until every cell for which `wanted(lower left, upper right)` (in
      *  parameters) holds has at least this level. */
-    void refine_to_level(
-      const unsigned int level,
+    void
+    refine_to_level(
+      const unsigned int                                   level,
       const std::function<bool(const dealii::Point<2> &,
                                const dealii::Point<2> &)> &wanted);
 
     /** Refines and coarsens until the cells are those of `target`, which has
      *  the same level-0 knots (their numbers may differ). */
-    void refine_like(const SplineHierarchy &target);
+    void
+    refine_like(const SplineHierarchy &target);
 
     /** The functions as an immutable value; keep the pointer to remember the
      *  space before a refinement. */
-    std::shared_ptr<const SplineHierarchy> hierarchy() const;
+    std::shared_ptr<const SplineHierarchy>
+    hierarchy() const;
 
     /** Functions that do not vanish on a cell. */
-    const std::vector<unsigned int> &cell_functions(
-      const unsigned int cell) const;
+    const std::vector<unsigned int> &
+    cell_functions(const unsigned int cell) const;
 
     /** Rows as cell_functions(cell); columns are the (degree+1)^2 Bernstein
      *  polynomials of the cell, x fastest. */
-    const dealii::FullMatrix<double> &cell_extraction(
-      const unsigned int cell) const;
+    const dealii::FullMatrix<double> &
+    cell_extraction(const unsigned int cell) const;
 
     /** Lower left and upper right corner of a cell, in parameters. */
-    std::pair<dealii::Point<2>, dealii::Point<2>> cell_box(
-      const unsigned int cell) const;
+    std::pair<dealii::Point<2>, dealii::Point<2>>
+    cell_box(const unsigned int cell) const;
 
     /** The cell that holds a parameter (wrapped in x if periodic). */
-    unsigned int find_cell(const dealii::Point<2> &parameter) const;
+    unsigned int
+    find_cell(const dealii::Point<2> &parameter) const;
 
     /** Cells with a face on the edge, sorted along it. */
-    std::vector<unsigned int> edge_cells(const Edge edge) const;
+    std::vector<unsigned int>
+    edge_cells(const Edge edge) const;
 
     /** Functions whose trace on the edge does not vanish, sorted by index. */
-    std::vector<unsigned int> edge_functions(const Edge edge) const;
+    std::vector<unsigned int>
+    edge_functions(const Edge edge) const;
 
     /** Values (and parametric gradients) of cell_functions(cell) at a
      *  parameter point. */
-    void evaluate(const unsigned int cell,
-                  const dealii::Point<2> &parameter,
-                  std::vector<double> &values,
-                  std::vector<dealii::Tensor<1, 2>> *gradients = nullptr) const;
+    void
+    evaluate(const unsigned int                 cell,
+             const dealii::Point<2>            &parameter,
+             std::vector<double>               &values,
+             std::vector<dealii::Tensor<1, 2>> *gradients = nullptr) const;
 
     /**
      * Coefficients of the L2 projection (in parameters) of n_components
@@ -112,10 +126,11 @@ namespace asperity
      * more closely than the inside.
      * @return [component][function]
      */
-    std::vector<std::vector<double>> project(
+    std::vector<std::vector<double>>
+    project(
       const std::function<std::vector<double>(const dealii::Point<2> &)> &f,
       const unsigned int n_components,
-      const double edge_weight = 10.) const;
+      const double       edge_weight = 10.) const;
 
     ~SplineSpace();
 
