@@ -1,10 +1,10 @@
 #include <asperity/base/errors.h>
 #include <asperity/postprocess/checkpoint.h>
 
-#include "files.h"
-
 #include <cstring>
 #include <limits>
+
+#include "files.h"
 
 using namespace asperity;
 
@@ -21,7 +21,8 @@ namespace
     std::numeric_limits<double>::infinity(),
     std::numeric_limits<double>::quiet_NaN()};
 
-  Checkpoint example()
+  Checkpoint
+  example()
   {
     Checkpoint checkpoint;
     checkpoint.set("displacement", awkward);
@@ -31,7 +32,8 @@ namespace
     return checkpoint;
   }
 
-  std::string reading_error(const std::string &path)
+  std::string
+  reading_error(const std::string &path)
   {
     const std::string message =
       message_of<InputError>([&]() { Checkpoint::read(path); });
@@ -39,7 +41,8 @@ namespace
     return message;
   }
 
-  bool contains(const std::string &text, const std::string &part)
+  bool
+  contains(const std::string &text, const std::string &part)
   {
     return text.find(part) != std::string::npos;
   }
@@ -121,10 +124,10 @@ TEST(Checkpoint, cut_short_at_any_length_is_refused)
   example().write(path);
   const std::string good = content(path);
   for (std::size_t length = 0; length < good.size(); ++length)
-  {
-    overwrite(path, good.substr(0, length));
-    reading_error(path);
-  }
+    {
+      overwrite(path, good.substr(0, length));
+      reading_error(path);
+    }
   overwrite(path, good + "x");
   EXPECT_TRUE(contains(reading_error(path), "added to"));
 }
@@ -137,26 +140,26 @@ TEST(Checkpoint, any_flipped_bit_is_refused)
   example().write(path);
   const std::string good = content(path);
   for (std::size_t i = 0; i < good.size(); ++i)
-  {
-    std::string bytes = good;
-    bytes[i]          = static_cast<char>(bytes[i] ^ (1 << (i % 8)));
-    overwrite(path, bytes);
-    reading_error(path);
-  }
+    {
+      std::string bytes = good;
+      bytes[i]          = static_cast<char>(bytes[i] ^ (1 << (i % 8)));
+      overwrite(path, bytes);
+      reading_error(path);
+    }
 }
 
 
 
 TEST(CheckpointFolder, keeps_the_newest_two_and_reads_the_newest)
 {
-  const std::string folder = test_folder() + "/checkpoint";
+  const std::string      folder = test_folder() + "/checkpoint";
   const CheckpointFolder slots(folder);
   for (const unsigned int step : {8u, 9u, 10u, 11u})
-  {
-    Checkpoint checkpoint = example();
-    checkpoint.set("step", std::vector<std::int64_t>{step});
-    slots.write(checkpoint, step);
-  }
+    {
+      Checkpoint checkpoint = example();
+      checkpoint.set("step", std::vector<std::int64_t>{step});
+      slots.write(checkpoint, step);
+    }
   EXPECT_EQ(slots.steps(), (std::vector<unsigned int>{11, 10}));
   EXPECT_EQ(n_files(folder), 2u);
   const auto found = slots.read_newest();

@@ -4,23 +4,24 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
-#include "files.h"
-#include "vtu_reader.h"
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <sstream>
 
+#include "files.h"
+#include "vtu_reader.h"
+
 using namespace asperity;
 
 namespace
 {
-  KnotVector uniform(const unsigned int degree,
-                     const unsigned int n_spans,
-                     const double length,
-                     const bool periodic = false)
+  KnotVector
+  uniform(const unsigned int degree,
+          const unsigned int n_spans,
+          const double       length,
+          const bool         periodic = false)
   {
     std::vector<double> breakpoints;
     for (unsigned int i = 0; i <= n_spans; ++i)
@@ -29,11 +30,12 @@ namespace
   }
 
   /** Interleaved coefficients of a function that the space contains. */
-  dealii::Vector<double> vector_field(
-    const SplineSpace &space,
+  dealii::Vector<double>
+  vector_field(
+    const SplineSpace                                                  &space,
     const std::function<std::vector<double>(const dealii::Point<2> &)> &f)
   {
-    const auto coefficients = space.project(f, 2);
+    const auto             coefficients = space.project(f, 2);
     dealii::Vector<double> result(2 * space.n_functions());
     for (unsigned int a = 0; a < space.n_functions(); ++a)
       for (unsigned int c = 0; c < 2; ++c)
@@ -41,11 +43,11 @@ namespace
     return result;
   }
 
-  std::vector<double> at_gauss_points(
-    const SplineSpace &space,
-    const PatchGeometry &geometry,
-    const unsigned int n_gauss,
-    const std::function<double(const dealii::Point<2> &)> &f)
+  std::vector<double>
+  at_gauss_points(const SplineSpace   &space,
+                  const PatchGeometry &geometry,
+                  const unsigned int   n_gauss,
+                  const std::function<double(const dealii::Point<2> &)> &f)
   {
     std::vector<double> values;
     for (const auto &point :
@@ -54,9 +56,10 @@ namespace
     return values;
   }
 
-  VtuReader written(const ChipOutput &output,
-                    const ChipFields &fields,
-                    const unsigned int n_periods = 1)
+  VtuReader
+  written(const ChipOutput  &output,
+          const ChipFields  &fields,
+          const unsigned int n_periods = 1)
   {
     std::ostringstream out;
     output.write(out, fields, 1e-7, 3, n_periods);
@@ -83,30 +86,30 @@ TEST(ChipOutput, corners_lie_on_the_deformed_curved_geometry)
   const PatchGeometry geometry = PatchGeometry::from_map(space, map);
   // u(xi, eta) = (0.1 xi eta, 0.2 xi^2): quadratic in the parameters.
   ChipFields fields;
-  fields.displacement  = vector_field(space, [](const dealii::Point<2> &p) {
+  fields.displacement     = vector_field(space, [](const dealii::Point<2> &p) {
     return std::vector<double>{0.1 * p[0] * p[1], 0.2 * p[0] * p[0]};
   });
-  const unsigned int n = 3;
-  const auto file      = written(ChipOutput(space, geometry, n, 3), fields);
+  const unsigned int n    = 3;
+  const auto         file = written(ChipOutput(space, geometry, n, 3), fields);
 
   ASSERT_EQ(file.n_points, space.n_cells() * (n + 1) * (n + 1));
   EXPECT_EQ(file.n_cells, space.n_cells() * n * n);
   EXPECT_NEAR(file.time(), 1e-7, 1e-13);
   const auto points = file.points();
   const auto u      = file.field("displacement [m]");
-  double left = 1e9, right = -1e9;
+  double     left = 1e9, right = -1e9;
   for (unsigned int i = 0; i < file.n_points; ++i)
-  {
-    const double X = points[3 * i] - u[3 * i];
-    const double Y = points[3 * i + 1] - u[3 * i + 1];
-    // Back to the parameters through the inverse of the map.
-    const double eta = Y - 1., xi = X - Y * Y / 4.;
-    left  = std::min(left, xi);
-    right = std::max(right, xi);
-    EXPECT_NEAR(u[3 * i], 0.1 * xi * eta, 2e-6);
-    EXPECT_NEAR(u[3 * i + 1], 0.2 * xi * xi, 4e-6);
-    EXPECT_EQ(points[3 * i + 2], 0.f);
-  }
+    {
+      const double X = points[3 * i] - u[3 * i];
+      const double Y = points[3 * i + 1] - u[3 * i + 1];
+      // Back to the parameters through the inverse of the map.
+      const double eta = Y - 1., xi = X - Y * Y / 4.;
+      left  = std::min(left, xi);
+      right = std::max(right, xi);
+      EXPECT_NEAR(u[3 * i], 0.1 * xi * eta, 2e-6);
+      EXPECT_NEAR(u[3 * i + 1], 0.2 * xi * xi, 4e-6);
+      EXPECT_EQ(points[3 * i + 2], 0.f);
+    }
   EXPECT_NEAR(left, 0., 1e-6);
   EXPECT_NEAR(right, 3., 2e-6);
 }
@@ -116,7 +119,7 @@ TEST(ChipOutput, corners_lie_on_the_deformed_curved_geometry)
 TEST(ChipOutput, quadrilaterals_cover_the_deformed_area_without_overlap)
 {
   const SplineSpace space(uniform(2, 4, 2.), uniform(2, 3, 1.));
-  ChipFields fields;
+  ChipFields        fields;
   // A shear: area 2 stays, and straight lines stay straight.
   fields.displacement = vector_field(space, [](const dealii::Point<2> &p) {
     return std::vector<double>{0.5 * p[1], 0.};
@@ -127,17 +130,17 @@ TEST(ChipOutput, quadrilaterals_cover_the_deformed_area_without_overlap)
   ASSERT_EQ(cells.size(), 4u * file.n_cells);
   double area = 0.;
   for (unsigned int cell = 0; cell < file.n_cells; ++cell)
-  {
-    double cell_area = 0.;
-    for (unsigned int i = 0; i < 4; ++i)
     {
-      const int a = cells[4 * cell + i], b = cells[4 * cell + (i + 1) % 4];
-      cell_area += 0.5 *
-        (points[3 * a] * points[3 * b + 1] - points[3 * b] * points[3 * a + 1]);
+      double cell_area = 0.;
+      for (unsigned int i = 0; i < 4; ++i)
+        {
+          const int a = cells[4 * cell + i], b = cells[4 * cell + (i + 1) % 4];
+          cell_area += 0.5 * (points[3 * a] * points[3 * b + 1] -
+                              points[3 * b] * points[3 * a + 1]);
+        }
+      EXPECT_GT(cell_area, 0.);
+      area += cell_area;
     }
-    EXPECT_GT(cell_area, 0.);
-    area += cell_area;
-  }
   EXPECT_NEAR(area, 2., 1e-5);
 }
 
@@ -146,7 +149,7 @@ TEST(ChipOutput, quadrilaterals_cover_the_deformed_area_without_overlap)
 TEST(ChipOutput, spline_fields_and_quadrature_polynomials_are_reproduced)
 {
   const SplineSpace space(uniform(2, 3, 3.), uniform(2, 2, 1.));
-  ChipFields fields;
+  ChipFields        fields;
   fields.displacement.reinit(2 * space.n_functions());
   fields.spline_vectors.emplace_back(
     "velocity [m/s]", vector_field(space, [](const dealii::Point<2> &p) {
@@ -168,22 +171,24 @@ TEST(ChipOutput, spline_fields_and_quadrature_polynomials_are_reproduced)
       return 20. + 5. * p[0];
     }));
 
-  const unsigned int n = 4;
-  const auto file      = written(ChipOutput(space, {}, n, 3), fields);
-  const auto points    = file.points();
-  const auto v         = file.field("velocity [m/s]");
-  const auto phi       = file.field("potential [V]");
-  const auto T         = file.field("temperature [degC]");
+  const unsigned int n      = 4;
+  const auto         file   = written(ChipOutput(space, {}, n, 3), fields);
+  const auto         points = file.points();
+  const auto         v      = file.field("velocity [m/s]");
+  const auto         phi    = file.field("potential [V]");
+  const auto         T      = file.field("temperature [degC]");
   for (unsigned int i = 0; i < file.n_points; ++i)
-  {
-    const double x = points[3 * i], y = points[3 * i + 1];
-    EXPECT_NEAR(v[3 * i], x * y, 1e-5);
-    EXPECT_NEAR(v[3 * i + 1], 7., 1e-5);
-    EXPECT_NEAR(phi[i], x * x - y, 1e-5);
-    const unsigned int column = i % (n + 1);
-    if (column > 0 && column < n)
-      EXPECT_NEAR(T[i], 20. + 5. * x, 1e-4);
-  }
+    {
+      const double x = points[3 * i], y = points[3 * i + 1];
+      EXPECT_NEAR(v[3 * i], x * y, 1e-5);
+      EXPECT_NEAR(v[3 * i + 1], 7., 1e-5);
+      EXPECT_NEAR(phi[i], x * x - y, 1e-5);
+      const unsigned int column = i % (n + 1);
+      if (column > 0 && column < n)
+        {
+          EXPECT_NEAR(T[i], 20. + 5. * x, 1e-4);
+        }
+    }
 }
 
 
@@ -191,7 +196,7 @@ TEST(ChipOutput, spline_fields_and_quadrature_polynomials_are_reproduced)
 TEST(ChipOutput, quadrature_fields_stay_in_the_range_of_their_cell)
 {
   const SplineSpace space(uniform(2, 3, 3.), uniform(2, 2, 1.));
-  ChipFields fields;
+  ChipFields        fields;
   fields.displacement.reinit(2 * space.n_functions());
   // A front inside the cells, which a polynomial would overshoot.
   fields.quadrature_scalars.emplace_back(
@@ -210,18 +215,18 @@ TEST(ChipOutput, quadrature_fields_stay_in_the_range_of_their_cell)
 TEST(ChipOutput, periods_are_drawn_side_by_side)
 {
   const SplineSpace space(uniform(2, 5, 10e-6, true), uniform(2, 2, 5e-6));
-  ChipFields fields;
+  ChipFields        fields;
   fields.displacement.reinit(2 * space.n_functions());
   const ChipOutput output(space, {}, 2, 3);
   const auto one = written(output, fields), two = written(output, fields, 2);
   ASSERT_EQ(two.n_points, 2 * one.n_points);
   const auto points = two.points();
-  double left = 1., right = 0.;
+  double     left = 1., right = 0.;
   for (unsigned int i = 0; i < two.n_points; ++i)
-  {
-    left  = std::min<double>(left, points[3 * i]);
-    right = std::max<double>(right, points[3 * i]);
-  }
+    {
+      left  = std::min<double>(left, points[3 * i]);
+      right = std::max<double>(right, points[3 * i]);
+    }
   EXPECT_NEAR(left, 0., 1e-11);
   EXPECT_NEAR(right, 20e-6, 1e-11);
 
@@ -235,10 +240,10 @@ TEST(ChipOutput, periods_are_drawn_side_by_side)
 
 TEST(ChipOutput, a_number_that_is_not_finite_is_refused_by_name)
 {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double      nan = std::numeric_limits<double>::quiet_NaN();
   const SplineSpace space(uniform(2, 3, 3.), uniform(2, 2, 1.));
-  const ChipOutput output(space, {}, 2, 3);
-  ChipFields good;
+  const ChipOutput  output(space, {}, 2, 3);
+  ChipFields        good;
   good.displacement.reinit(2 * space.n_functions());
   good.quadrature_scalars.emplace_back(
     "von Mises stress [Pa]",
@@ -249,14 +254,14 @@ TEST(ChipOutput, a_number_that_is_not_finite_is_refused_by_name)
 
   // At each Gauss point of a cell.
   for (unsigned int q = 0; q < 9; ++q)
-  {
-    ChipFields fields                           = good;
-    fields.quadrature_scalars[0].second[18 + q] = nan;
-    EXPECT_NE(message_of<ComputationError>([&]() {
-                written(output, fields);
-              }).find("von Mises stress [Pa]"),
-              std::string::npos);
-  }
+    {
+      ChipFields fields                           = good;
+      fields.quadrature_scalars[0].second[18 + q] = nan;
+      EXPECT_NE(message_of<ComputationError>([&]() {
+                  written(output, fields);
+                }).find("von Mises stress [Pa]"),
+                std::string::npos);
+    }
 
   ChipFields fields      = good;
   fields.displacement[1] = nan;
@@ -271,8 +276,8 @@ TEST(ChipOutput, a_number_that_is_not_finite_is_refused_by_name)
 TEST(ChipOutput, fields_of_another_length_are_refused_by_name)
 {
   const SplineSpace space(uniform(2, 3, 3.), uniform(2, 2, 1.));
-  const ChipOutput output(space, {}, 2, 3);
-  ChipFields fields;
+  const ChipOutput  output(space, {}, 2, 3);
+  ChipFields        fields;
   fields.displacement.reinit(2 * space.n_functions() - 1);
   EXPECT_THROW(written(output, fields), ComputationError);
   fields.displacement.reinit(2 * space.n_functions());

@@ -50,13 +50,13 @@ std::string
 message_of(const Call &call)
 {
   try
-  {
-    call();
-  }
+    {
+      call();
+    }
   catch (const Error &error)
-  {
-    return error.what();
-  }
+    {
+      return error.what();
+    }
   ADD_FAILURE() << "nothing was thrown";
   return "";
 }

@@ -2,19 +2,20 @@
 #include <asperity/postprocess/polyline.h>
 #include <asperity/postprocess/vtu_series.h>
 
-#include "files.h"
-#include "vtu_reader.h"
-
 #include <cmath>
 #include <limits>
 #include <sstream>
+
+#include "files.h"
+#include "vtu_reader.h"
 
 using namespace asperity;
 
 namespace
 {
   /** A quarter circle of radius 3 um with its normals. */
-  Polyline quarter_circle(const unsigned int n)
+  Polyline
+  quarter_circle(const unsigned int n)
   {
     Polyline line;
     line.vectors.resize(1);
@@ -22,17 +23,18 @@ namespace
     line.scalars.resize(1);
     line.scalars[0].first = "contact pressure [Pa]";
     for (unsigned int i = 0; i < n; ++i)
-    {
-      const double angle = M_PI / 2. * i / (n - 1);
-      const dealii::Tensor<1, 2> normal({std::cos(angle), std::sin(angle)});
-      line.points.emplace_back(3e-6 * normal);
-      line.vectors[0].second.push_back(-2e9 * normal);
-      line.scalars[0].second.push_back(1e9 * i);
-    }
+      {
+        const double               angle = M_PI / 2. * i / (n - 1);
+        const dealii::Tensor<1, 2> normal({std::cos(angle), std::sin(angle)});
+        line.points.emplace_back(3e-6 * normal);
+        line.vectors[0].second.push_back(-2e9 * normal);
+        line.scalars[0].second.push_back(1e9 * i);
+      }
     return line;
   }
 
-  std::string written(const Polyline &line)
+  std::string
+  written(const Polyline &line)
   {
     std::ostringstream out;
     write_polyline(out, line, 2.5e-7, 12);
@@ -56,18 +58,18 @@ TEST(Polyline, points_and_fields_read_back)
   ASSERT_EQ(traction.size(), 33u);
   ASSERT_EQ(pressure.size(), 11u);
   for (unsigned int i = 0; i < 11; ++i)
-  {
-    EXPECT_NEAR(std::hypot(points[3 * i], points[3 * i + 1]), 3e-6, 1e-12);
-    EXPECT_EQ(points[3 * i + 2], 0.f);
-    EXPECT_NEAR(traction[3 * i] * 3e-6, -2e9 * points[3 * i], 1e-2);
-    EXPECT_NEAR(traction[3 * i + 1] * 3e-6, -2e9 * points[3 * i + 1], 1e-2);
-    EXPECT_EQ(pressure[i], 1e9f * i);
-  }
+    {
+      EXPECT_NEAR(std::hypot(points[3 * i], points[3 * i + 1]), 3e-6, 1e-12);
+      EXPECT_EQ(points[3 * i + 2], 0.f);
+      EXPECT_NEAR(traction[3 * i] * 3e-6, -2e9 * points[3 * i], 1e-2);
+      EXPECT_NEAR(traction[3 * i + 1] * 3e-6, -2e9 * points[3 * i + 1], 1e-2);
+      EXPECT_EQ(pressure[i], 1e9f * i);
+    }
   for (int i = 0; i < 10; ++i)
-  {
-    EXPECT_EQ(segments[2 * i], i);
-    EXPECT_EQ(segments[2 * i + 1], i + 1);
-  }
+    {
+      EXPECT_EQ(segments[2 * i], i);
+      EXPECT_EQ(segments[2 * i + 1], i + 1);
+    }
 }
 
 
@@ -116,7 +118,7 @@ TEST(Polyline, lengths_that_do_not_fit_are_refused)
 TEST(VtuSeries, record_names_the_files_with_their_times)
 {
   const std::string folder = test_folder();
-  VtuSeries series(folder, "tool");
+  VtuSeries         series(folder, "tool");
   for (unsigned int step = 1; step <= 2; ++step)
     series.write(step, step * 1.25e-7, [&](std::ostream &out) {
       write_polyline(out, quarter_circle(5), step * 1.25e-7, step);
@@ -135,7 +137,7 @@ TEST(VtuSeries, record_names_the_files_with_their_times)
 TEST(VtuSeries, restart_continues_the_record_and_drops_later_pictures)
 {
   const std::string folder = test_folder();
-  const auto fill          = [](std::ostream &out) { out << "picture"; };
+  const auto        fill   = [](std::ostream &out) { out << "picture"; };
   {
     VtuSeries series(folder, "chip");
     for (const unsigned int step : {0u, 10u, 20u, 30u})
@@ -160,7 +162,7 @@ TEST(VtuSeries, restart_continues_the_record_and_drops_later_pictures)
 TEST(VtuSeries, a_failed_picture_is_not_in_the_record)
 {
   const std::string folder = test_folder();
-  VtuSeries series(folder, "contact");
+  VtuSeries         series(folder, "contact");
   EXPECT_THROW(series.write(1,
                             1e-9,
                             [](std::ostream &out) {

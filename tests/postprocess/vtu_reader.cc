@@ -8,43 +8,45 @@
 
 namespace
 {
-  std::string decode_base64(const std::string &text)
+  std::string
+  decode_base64(const std::string &text)
   {
     const std::string alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
                                  "abcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string bytes;
-    std::uint32_t bits  = 0;
-    unsigned int n_bits = 0;
+    std::string       bytes;
+    std::uint32_t     bits   = 0;
+    unsigned int      n_bits = 0;
     for (const char letter : text)
-    {
-      const auto value = alphabet.find(letter);
-      if (value == std::string::npos)
-        continue;
-      bits = (bits << 6) | static_cast<std::uint32_t>(value);
-      n_bits += 6;
-      if (n_bits >= 8)
       {
-        n_bits -= 8;
-        bytes += static_cast<char>((bits >> n_bits) & 0xff);
+        const auto value = alphabet.find(letter);
+        if (value == std::string::npos)
+          continue;
+        bits = (bits << 6) | static_cast<std::uint32_t>(value);
+        n_bits += 6;
+        if (n_bits >= 8)
+          {
+            n_bits -= 8;
+            bytes += static_cast<char>((bits >> n_bits) & 0xff);
+          }
       }
-    }
     return bytes;
   }
 
   /** Four 32-bit numbers (1, size, size, compressed size), then zlib data. */
   template <typename Number>
-  std::vector<Number> decode(const std::string &text)
+  std::vector<Number>
+  decode(const std::string &text)
   {
     const std::size_t first = text.find_first_not_of(" \n");
     // The head is encoded by itself: 16 bytes, 24 letters.
     const std::string head = decode_base64(text.substr(first, 24));
     const std::string body = decode_base64(text.substr(first + 24));
-    std::uint32_t sizes[4];
+    std::uint32_t     sizes[4];
     std::memcpy(sizes, head.data(), sizeof(sizes));
     if (sizes[0] != 1 || sizes[3] != body.size())
       throw std::runtime_error("unexpected head of a VTU array");
     std::vector<Number> values(sizes[1] / sizeof(Number));
-    uLongf size = sizes[1];
+    uLongf              size = sizes[1];
     if (uncompress(reinterpret_cast<Bytef *>(values.data()),
                    &size,
                    reinterpret_cast<const Bytef *>(body.data()),

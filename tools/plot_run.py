@@ -1,0 +1,366 @@
+#!/usr/bin/python3
+"""Draw a run: the deformed topography and the friction coefficient.
+
+Usage: tools/plot_run.py OUTPUT_DIRECTORY [--step N] [--to FOLDER]
+
+Writes into the output directory (or FOLDER)
+
+  deformed_topography.png  two periods of the deformed chip coloured by
+                           equivalent plastic strain, the tool, and the contact
+                           force on the chip as arrows; beside it the contact
+                           zone magnified
+  friction.png             mu and contact fraction over time and over sliding
+                           distance; the averaging window is shaded, with the
+                           mean and its spread
+
+Reads chip.pvd, tool.pvd, contact.pvd and their .vtu files, friction.csv, and,
+if there, summary.json (friction.mu, friction.spread, and friction.window: the
+times [s] at which the window starts and ends).
+"""
+
+import argparse
+import base64
+import csv
+import json
+import os
+import re
+import struct
+import sys
+import xml.etree.ElementTree as xml
+import zlib
+
+try:
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+    import numpy as np
+except ImportError as error:
+    sys.exit(f"{error}: plot_run.py needs matplotlib and numpy; "
+             "tools/install_dependencies installs them.")
+
+UM = 1e6  # micrometres a metre
+STRAIN = "equivalent plastic strain [-]"
+TOOL_COLOUR, ARROW_COLOUR, WINDOW_COLOUR = "#b9bfc9", "#12355b", "#f2c14e"
+
+
+class RunError(Exception):
+    """Something is missing from the output; the message is for the user."""
+
+
+# ---------------------------------------------------------------- reading
+
+
+class Vtu:
+    """Points, cells and point data of a VTU file with zlib-compressed arrays."""
+
+    TYPES = {"Float32": "<f4", "Float64": "<f8", "Int32": "<i4",
+             "Int64": "<i8", "UInt8": "u1"}
+
+    def __init__(self, path):
+        try:
+            piece = xml.parse(path).getroot().find("UnstructuredGrid/Piece")
+            self.points = self._array(piece.find("Points/DataArray"))[:, :2]
+            cells = {a.get("Name"): self._array(a).ravel()
+                     for a in piece.find("Cells")}
+            self.fields = {a.get("Name"): self._array(a)
+                           for a in piece.find("PointData")}
+        except (OSError, AttributeError, ValueError, xml.ParseError,
+                zlib.error, struct.error) as error:
+            raise RunError(f"{path} cannot be read as a VTU file: {error}")
+        width = int(cells["offsets"][0])
+        self.cells = cells["connectivity"].reshape(-1, width)
+
+    def field(self, name):
+        if name not in self.fields:
+            raise RunError(f"The field '{name}' is not among those of the "
+                           f"picture: {', '.join(self.fields)}.")
+        values = self.fields[name]
+        return values[:, 0] if values.shape[1] == 1 else values[:, :2]
+
+    @classmethod
+    def _array(cls, element):
+        text = "".join(element.text.split())
+        # The head is encoded by itself: number of blocks, size of a block and
+        # of the last one, then the compressed sizes (VTK file formats).
+        n_blocks = struct.unpack("<I", base64.b64decode(text[:8])[:4])[0]
+        n_letters = 4 * (-(-4 * (3 + n_blocks) // 3))
+        head = struct.unpack(f"<{3 + n_blocks}I",
+                             base64.b64decode(text[:n_letters]))
+        body = base64.b64decode(text[n_letters:])
+        content, position = b"", 0
+        for size in head[3:]:
+            content += zlib.decompress(body[position:position + size])
+            position += size
+        values = np.frombuffer(content, cls.TYPES[element.get("type")])
+        return values.reshape(-1, int(element.get("NumberOfComponents", "1")))
+
+
+def steps_of(directory, name):
+    """Steps of the record of one part of the scene: {step: (time, path)}."""
+    path = os.path.join(directory, name + ".pvd")
+    try:
+        sets = xml.parse(path).getroot().iter("DataSet")
+        found = {}
+        for entry in sets:
+            step = int(re.search(r"_(\d+)\.vtu$", entry.get("file")).group(1))
+            found[step] = (float(entry.get("timestep")),
+                           os.path.join(directory, entry.get("file")))
+    except (OSError, AttributeError, xml.ParseError) as error:
+        raise RunError(f"{path} cannot be read: {error}")
+    return found
+
+
+def part_at(directory, name, step):
+    """The picture of a part at a step, or the newest before it (the tool does
+    not move and may be written once)."""
+    steps = [s for s in steps_of(directory, name) if s <= step]
+    if not steps:
+        raise RunError(f"{directory} holds no picture of the {name} up to "
+                       f"step {step}.")
+    return Vtu(steps_of(directory, name)[max(steps)][1])
+
+
+def read_friction(directory):
+    """Columns of friction.csv by name without unit, as arrays."""
+    path = os.path.join(directory, "friction.csv")
+    try:
+        with open(path, newline="", encoding="utf-8") as file:
+            rows = list(csv.reader(file))
+        values = np.array(rows[1:], dtype=float)
+    except (OSError, ValueError) as error:
+        raise RunError(f"{path} cannot be read: {error}")
+    if len(rows) < 2:
+        raise RunError(f"{path} holds no step yet.")
+    return {name.split(" [")[0]: values[:, i] for i, name in enumerate(rows[0])}
+
+
+def read_summary(directory):
+    try:
+        with open(os.path.join(directory, "summary.json"),
+                  encoding="utf-8") as file:
+            return json.load(file)
+    except OSError:
+        return {}  # the run goes on, or was stopped
+    except ValueError as error:
+        raise RunError(f"{directory}/summary.json is not JSON: {error}")
+
+
+# ---------------------------------------------------------------- topography
+
+
+class Scene:
+    """One step of a run in micrometres and gigapascals."""
+
+    def __init__(self, directory, step):
+        steps = steps_of(directory, "chip")
+        if not steps:
+            raise RunError(f"{directory} holds no picture of the chip yet.")
+        self.step = max(steps) if step is None else step
+        if self.step not in steps:
+            raise RunError(f"There is no picture of step {step}; there are "
+                           f"those of {', '.join(map(str, sorted(steps)))}.")
+        self.time, path = steps[self.step]
+        chip = Vtu(path)
+        self.chip, self.cells = chip.points * UM, chip.cells
+        self.strain = chip.field(STRAIN)
+        self.tool = part_at(directory, "tool", self.step).points * UM
+        line = part_at(directory, "contact", self.step)
+        self.line = line.points * UM
+        self.traction = line.field("traction [Pa]") * 1e-9
+        # The tool is drawn for one period.
+        self.period = np.ptp(self.tool[:, 0])
+
+    def copies(self, points, left, right):
+        """Shifts by whole periods with which points cover [left, right]."""
+        first = int(np.floor((left - points[:, 0].max()) / self.period))
+        last = int(np.ceil((right - points[:, 0].min()) / self.period))
+        return [k * self.period for k in range(first, last + 1)]
+
+    def arrows(self, n_bins=70):
+        """Points and mean tractions on pieces of the contact line of equal
+        width, so that the density of arrows is not that of the mesh."""
+        x = self.line[:, 0]
+        bins = ((x - x.min()) / np.ptp(x) * n_bins * (1 - 1e-9)).astype(int)
+        points, tractions = [], []
+        for b in np.unique(bins):
+            inside = bins == b
+            size = np.linalg.norm(self.traction[inside], axis=1)
+            if size.max() > 0.:
+                points.append(np.average(self.line[inside], axis=0,
+                                         weights=size))
+                tractions.append(self.traction[inside].mean(axis=0))
+        return np.array(points).reshape(-1, 2), np.array(tractions).reshape(-1, 2)
+
+
+def draw_scene(axes, scene, box, norm, arrow_length):
+    """The part of the scene in box = (left, right, low, high)."""
+    left, right, low, high = box
+    triangles = np.concatenate([scene.cells[:, [0, 1, 2]],
+                                scene.cells[:, [0, 2, 3]]])
+    image = None
+    for shift in scene.copies(scene.chip, left, right):
+        image = axes.tripcolor(scene.chip[:, 0] + shift, scene.chip[:, 1],
+                               triangles, scene.strain, shading="gouraud",
+                               cmap="YlOrRd", norm=norm, rasterized=True)
+    for shift in scene.copies(scene.line, left, right):
+        axes.plot(scene.line[:, 0] + shift, scene.line[:, 1], color="#7a1f1f",
+                  lw=0.8)
+    for shift in scene.copies(scene.tool, left, right):
+        x, y = scene.tool[:, 0] + shift, scene.tool[:, 1]
+        axes.fill_between(x, y, 2. * high - low, color=TOOL_COLOUR, lw=0.)
+        axes.plot(x, y, color="#4a4f57", lw=0.9)
+
+    points, tractions = scene.arrows()
+    largest = np.linalg.norm(tractions, axis=1).max(initial=0.)
+    if largest > 0.:
+        visible = np.linalg.norm(tractions, axis=1) > 0.01 * largest
+        for shift in scene.copies(scene.line, left, right):
+            arrows = axes.quiver(points[visible, 0] + shift, points[visible, 1],
+                                 *tractions[visible].T, pivot="tip",
+                                 angles="xy", scale_units="xy",
+                                 scale=largest / arrow_length,
+                                 width=0.0022, headwidth=3.5, headlength=4.5,
+                                 color=ARROW_COLOUR, zorder=4)
+        axes.quiverkey(arrows, 0.90, 0.93, largest, f"{largest:.3g} GPa",
+                       labelpos="W", coordinates="axes", color=ARROW_COLOUR,
+                       labelcolor=ARROW_COLOUR, zorder=5)
+    axes.set(xlim=(left, right), ylim=(low, high), xlabel="x [µm]",
+             ylabel="y [µm]")
+    axes.set_aspect("equal")
+    return image
+
+
+def plot_topography(directory, step, target):
+    scene = Scene(directory, step)
+    L, start = scene.period, scene.tool[:, 0].min()
+    bottom, top = scene.chip[:, 1].min(), scene.tool[:, 1].max()
+    low, high = bottom - 0.02 * L, top + 0.12 * L
+    middle = scene.tool[:, 1].mean()
+    # Same shape as the left panel at twice the magnification.
+    depth = (high - low) / 2.
+    zoom = (start + L / 2., start + 3. * L / 2., middle - 0.58 * depth,
+            middle + 0.42 * depth)
+
+    # A few points at the sharpest asperity would else darken all the rest.
+    limit = max(np.quantile(scene.strain, 0.998), 1e-6)
+    norm = matplotlib.colors.Normalize(0., limit)
+    height = 13. * 0.5 * (high - low) / (2. * L) + 1.9
+    figure, panels = plt.subplots(1, 2, figsize=(13., height),
+                                  constrained_layout=True)
+    for axes, box, length in ((panels[0], (start, start + 2. * L, low, high),
+                               0.1 * L), (panels[1], zoom, 0.07 * L)):
+        image = draw_scene(axes, scene, box, norm, length)
+    panels[0].add_patch(plt.Rectangle((zoom[0], zoom[2]), L, zoom[3] - zoom[2],
+                                      fill=False, ls="--", lw=0.8, zorder=6))
+    panels[0].set_title("Two periods", fontsize=10)
+    panels[1].set_title("Contact zone (dashed frame), force of the tool on the "
+                        "chip", fontsize=10)
+    bar = figure.colorbar(image, ax=panels, orientation="horizontal",
+                          shrink=0.5, aspect=45, pad=0.03,
+                          extend="max" if scene.strain.max() > limit else
+                          "neither")
+    bar.set_label("equivalent plastic strain [–]")
+    name = os.path.basename(os.path.abspath(directory))
+    figure.suptitle(f"{name}: step {scene.step}, "
+                    f"t = {scene.time * 1e6:.4g} µs")
+    figure.savefig(target, dpi=170)
+    plt.close(figure)
+
+
+# ---------------------------------------------------------------- friction
+
+
+def window_of(table, summary):
+    """(time window, mean, spread) of the average that the run reports, or None
+    for each that it does not."""
+    friction = summary.get("friction", {})
+    window = friction.get("window")
+    if not (isinstance(window, list) and len(window) == 2):
+        window = None
+    return window, friction.get("mu"), friction.get("spread")
+
+
+def draw_over(panels, x, window, table, mean, spread):
+    """One column of the picture: mu and contact fraction over x."""
+    fraction = 100. * table["contact fraction"]
+    for axes, values in ((panels[0], table["mu"]), (panels[1], fraction)):
+        if window is not None:
+            axes.axvspan(*window, color=WINDOW_COLOUR, alpha=0.25, lw=0.,
+                         label="averaging window")
+        axes.plot(x, values, "-o", color=ARROW_COLOUR, ms=2.2, lw=1.2)
+        axes.grid(alpha=0.3)
+        axes.set_xlim(0., x.max() * 1.01 if x.max() > 0. else 1.)
+    if window is not None and mean is not None:
+        label = f"mean {mean:.4f}"
+        if spread is not None:
+            label += f" ± {spread:.4f}"
+            panels[0].fill_between(window, mean - spread, mean + spread,
+                                   color="#c8553d", alpha=0.3, lw=0.)
+        panels[0].plot(window, [mean, mean], color="#c8553d", lw=1.6,
+                       label=label)
+
+
+def limit_of_mu(table, window, mean):
+    """Upper end of the axis of mu: while the load is small, mu is a quotient
+    of two small numbers and may exceed every picture."""
+    mu, time = table["mu"], table["time"]
+    late = mu[time >= (window[0] if window else 0.2 * time[-1])]
+    reference = max(late.max(initial=0.), mean or 0.)
+    return min(1.7 * reference, 1.15 * mu.max()) if reference > 0. else 1.
+
+
+def plot_friction(directory, target):
+    table, summary = read_friction(directory), read_summary(directory)
+    window, mean, spread = window_of(table, summary)
+    figure, panels = plt.subplots(2, 2, figsize=(11., 6.), sharey="row",
+                                  sharex="col", constrained_layout=True,
+                                  height_ratios=(3, 2))
+    distance = table["sliding distance"]
+    over_distance = None
+    if window is not None:
+        over_distance = np.interp(window, table["time"], distance) * UM
+        window_us = np.array(window) * 1e6
+    draw_over(panels[:, 0], table["time"] * 1e6,
+              window_us if window is not None else None, table, mean, spread)
+    draw_over(panels[:, 1], distance * UM, over_distance, table, mean, spread)
+
+    panels[0, 0].set_ylabel("friction coefficient µ [–]")
+    panels[1, 0].set_ylabel("contact fraction [%]")
+    panels[1, 0].set_xlabel("time [µs]")
+    panels[1, 1].set_xlabel("sliding distance [µm]")
+    panels[0, 0].set_ylim(0., limit_of_mu(table, window, mean))
+    panels[1, 0].set_ylim(bottom=0.)
+    if window is not None:
+        panels[0, 1].legend(loc="best", fontsize=9)
+    name = os.path.basename(os.path.abspath(directory))
+    figure.suptitle(f"{name}: friction")
+    figure.savefig(target, dpi=150)
+    plt.close(figure)
+
+
+def main():
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("directory", help="output directory of a run")
+    parser.add_argument("--step", type=int, help="step to draw (the last)")
+    parser.add_argument("--to", help="folder for the pictures")
+    arguments = parser.parse_args()
+    folder = arguments.to or arguments.directory
+    try:
+        if not os.path.isdir(arguments.directory):
+            raise RunError(f"{arguments.directory} is not a directory.")
+        os.makedirs(folder, exist_ok=True)
+        topography = os.path.join(folder, "deformed_topography.png")
+        plot_topography(arguments.directory, arguments.step, topography)
+        friction = os.path.join(folder, "friction.png")
+        plot_friction(arguments.directory, friction)
+        print(topography, friction, sep="\n")
+    except RunError as error:
+        print(f"plot_run.py: {error}", file=sys.stderr)
+        return 2
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
