@@ -114,11 +114,12 @@ def steps_of(directory, name):
 def part_at(directory, name, step):
     """The picture of a part at a step, or the newest before it (the tool does
     not move and may be written once)."""
-    steps = [s for s in steps_of(directory, name) if s <= step]
-    if not steps:
+    steps = steps_of(directory, name)
+    past = [s for s in steps if s <= step]
+    if not past:
         raise RunError(f"{directory} holds no picture of the {name} up to "
                        f"step {step}.")
-    return Vtu(steps_of(directory, name)[max(steps)][1])
+    return Vtu(steps[max(past)][1])
 
 
 def read_friction(directory):
@@ -237,15 +238,18 @@ def plot_topography(directory, step, target):
     bottom, top = scene.chip[:, 1].min(), scene.tool[:, 1].max()
     low, high = bottom - 0.02 * L, top + 0.12 * L
     middle = scene.tool[:, 1].mean()
-    # Same shape as the left panel at twice the magnification.
+    # Same shape as the left panel at twice the magnification, one period wide
+    # about the hardest contact.
     depth = (high - low) / 2.
-    zoom = (start + L / 2., start + 3. * L / 2., middle - 0.58 * depth,
+    hardest = scene.line[np.argmax(np.linalg.norm(scene.traction, axis=1)), 0]
+    zoom_left = start + (hardest - L / 2. - start) % L
+    zoom = (zoom_left, zoom_left + L, middle - 0.58 * depth,
             middle + 0.42 * depth)
 
     # A few points at the sharpest asperity would else darken all the rest.
     limit = max(np.quantile(scene.strain, 0.998), 1e-6)
     norm = matplotlib.colors.Normalize(0., limit)
-    height = 13. * 0.5 * (high - low) / (2. * L) + 1.9
+    height = 13. * 0.5 * (high - low) / (2. * L) + 1.65
     figure, panels = plt.subplots(1, 2, figsize=(13., height),
                                   constrained_layout=True)
     for axes, box, length in ((panels[0], (start, start + 2. * L, low, high),
