@@ -11,7 +11,8 @@ namespace asperity
 {
   namespace
   {
-    void check_degree(const unsigned int degree)
+    void
+    check_degree(const unsigned int degree)
     {
       if (degree < 1)
         throw InputError("A spline has degree 0, but at least 1 is expected.");
@@ -19,7 +20,8 @@ namespace asperity
 
 
 
-    std::string number(const double x)
+    std::string
+    number(const double x)
     {
       std::ostringstream text;
       text << x;
@@ -29,9 +31,9 @@ namespace asperity
 
 
 
-  KnotVector::KnotVector(const unsigned int degree,
+  KnotVector::KnotVector(const unsigned int         degree,
                          const std::vector<double> &breakpoints,
-                         const bool periodic)
+                         const bool                 periodic)
     : degree_(degree)
     , periodic_(periodic)
     , breakpoints_(breakpoints)
@@ -56,27 +58,28 @@ namespace asperity
                        std::to_string(degree + 1) + " are expected.");
 
     if (periodic)
-    {
-      const double period = breakpoints.back() - breakpoints.front();
-      for (unsigned int i = n_spans - degree; i < n_spans; ++i)
-        knots_.push_back(breakpoints[i] - period);
-      knots_.insert(knots_.end(), breakpoints.begin(), breakpoints.end());
-      for (unsigned int i = 1; i <= degree; ++i)
-        knots_.push_back(breakpoints[i] + period);
-    }
+      {
+        const double period = breakpoints.back() - breakpoints.front();
+        for (unsigned int i = n_spans - degree; i < n_spans; ++i)
+          knots_.push_back(breakpoints[i] - period);
+        knots_.insert(knots_.end(), breakpoints.begin(), breakpoints.end());
+        for (unsigned int i = 1; i <= degree; ++i)
+          knots_.push_back(breakpoints[i] + period);
+      }
     else
-    {
-      knots_.assign(degree, breakpoints.front());
-      knots_.insert(knots_.end(), breakpoints.begin(), breakpoints.end());
-      knots_.insert(knots_.end(), degree, breakpoints.back());
-    }
+      {
+        knots_.assign(degree, breakpoints.front());
+        knots_.insert(knots_.end(), breakpoints.begin(), breakpoints.end());
+        knots_.insert(knots_.end(), degree, breakpoints.back());
+      }
     finish();
   }
 
 
 
-  KnotVector KnotVector::from_knots(const unsigned int degree,
-                                    const std::vector<double> &knots)
+  KnotVector
+  KnotVector::from_knots(const unsigned int         degree,
+                         const std::vector<double> &knots)
   {
     check_degree(degree);
     if (knots.size() < 2 * degree + 2)
@@ -86,22 +89,23 @@ namespace asperity
                        std::to_string(2 * degree + 2) + " are expected.");
     unsigned int multiplicity = 1;
     for (unsigned int i = 1; i < knots.size(); ++i)
-    {
-      if (!(knots[i - 1] <= knots[i]) || !std::isfinite(knots[i - 1]) ||
-          !std::isfinite(knots[i]))
-        throw InputError("Knot " + std::to_string(i) + " is " +
-                         number(knots[i]) + " after " + number(knots[i - 1]) +
-                         ", but finite values that do not decrease are "
-                         "expected.");
-      multiplicity   = (knots[i] == knots[i - 1] ? multiplicity + 1 : 1);
-      const bool end = (knots[i] == knots.front() || knots[i] == knots.back());
-      if (multiplicity > degree + (end ? 1 : 0))
-        throw InputError("Knot " + number(knots[i]) +
-                         " of a spline of degree " + std::to_string(degree) +
-                         " occurs more than " +
-                         std::to_string(degree + (end ? 1 : 0)) +
-                         " times, so that the curve would break apart.");
-    }
+      {
+        if (!(knots[i - 1] <= knots[i]) || !std::isfinite(knots[i - 1]) ||
+            !std::isfinite(knots[i]))
+          throw InputError("Knot " + std::to_string(i) + " is " +
+                           number(knots[i]) + " after " + number(knots[i - 1]) +
+                           ", but finite values that do not decrease are "
+                           "expected.");
+        multiplicity = (knots[i] == knots[i - 1] ? multiplicity + 1 : 1);
+        const bool end =
+          (knots[i] == knots.front() || knots[i] == knots.back());
+        if (multiplicity > degree + (end ? 1 : 0))
+          throw InputError("Knot " + number(knots[i]) +
+                           " of a spline of degree " + std::to_string(degree) +
+                           " occurs more than " +
+                           std::to_string(degree + (end ? 1 : 0)) +
+                           " times, so that the curve would break apart.");
+      }
     if (knots[degree] != knots.front() ||
         knots[knots.size() - 1 - degree] != knots.back())
       throw InputError("The ends of an open knot vector of degree " +
@@ -120,7 +124,8 @@ namespace asperity
 
 
 
-  void KnotVector::finish()
+  void
+  KnotVector::finish()
   {
     for (unsigned int i = degree_; i + degree_ + 1 < knots_.size(); ++i)
       if (knots_[i] < knots_[i + 1])
@@ -129,63 +134,72 @@ namespace asperity
 
 
 
-  unsigned int KnotVector::degree() const
+  unsigned int
+  KnotVector::degree() const
   {
     return degree_;
   }
 
 
 
-  bool KnotVector::is_periodic() const
+  bool
+  KnotVector::is_periodic() const
   {
     return periodic_;
   }
 
 
 
-  unsigned int KnotVector::n_basis() const
+  unsigned int
+  KnotVector::n_basis() const
   {
     return periodic_ ? n_spans() : knots_.size() - degree_ - 1;
   }
 
 
 
-  unsigned int KnotVector::n_spans() const
+  unsigned int
+  KnotVector::n_spans() const
   {
     return span_knot_.size();
   }
 
 
 
-  const std::vector<double> &KnotVector::breakpoints() const
+  const std::vector<double> &
+  KnotVector::breakpoints() const
   {
     return breakpoints_;
   }
 
 
 
-  const std::vector<double> &KnotVector::knots() const
+  const std::vector<double> &
+  KnotVector::knots() const
   {
     return knots_;
   }
 
 
 
-  double KnotVector::front() const
+  double
+  KnotVector::front() const
   {
     return breakpoints_.front();
   }
 
 
 
-  double KnotVector::back() const
+  double
+  KnotVector::back() const
   {
     return breakpoints_.back();
   }
 
 
 
-  unsigned int KnotVector::find_span(const double t) const
+  unsigned int
+  KnotVector::find_span(const double t) const
   {
     const auto right = std::upper_bound(breakpoints_.begin() + 1,
                                         breakpoints_.end() - 1,
@@ -195,7 +209,8 @@ namespace asperity
 
 
 
-  double KnotVector::wrap(const double t) const
+  double
+  KnotVector::wrap(const double t) const
   {
     if (!periodic_ || (t >= front() && t < back()))
       return t;
@@ -207,46 +222,46 @@ namespace asperity
 
 
 
-  std::vector<unsigned int> KnotVector::span_functions(
-    const unsigned int span) const
+  std::vector<unsigned int>
+  KnotVector::span_functions(const unsigned int span) const
   {
     std::vector<unsigned int> functions(degree_ + 1);
     for (unsigned int j = 0; j <= degree_; ++j)
-    {
-      functions[j] = span_knot_[span] - degree_ + j;
-      if (periodic_)
-        functions[j] %= n_basis();
-    }
+      {
+        functions[j] = span_knot_[span] - degree_ + j;
+        if (periodic_)
+          functions[j] %= n_basis();
+      }
     return functions;
   }
 
 
 
-  std::vector<std::vector<double>> KnotVector::evaluate(
-    const unsigned int span,
-    const double t,
-    const unsigned int n_derivatives) const
+  std::vector<std::vector<double>>
+  KnotVector::evaluate(const unsigned int span,
+                       const double       t,
+                       const unsigned int n_derivatives) const
   {
     const unsigned int p = degree_;
-    const double *u      = knots_.data() + span_knot_[span];
+    const double      *u = knots_.data() + span_knot_[span];
 
     // Upper triangle: functions of degree 0 .. p; lower triangle: knot
     // differences (Piegl and Tiller, algorithm A2.3).
     std::vector<std::vector<double>> ndu(p + 1, std::vector<double>(p + 1));
     ndu[0][0] = 1.;
     for (unsigned int j = 1; j <= p; ++j)
-    {
-      double saved = 0.;
-      for (unsigned int r = 0; r < j; ++r)
       {
-        const double right = u[r + 1], left = u[1 + int(r) - int(j)];
-        ndu[j][r]         = right - left;
-        const double temp = ndu[r][j - 1] / ndu[j][r];
-        ndu[r][j]         = saved + (right - t) * temp;
-        saved             = (t - left) * temp;
+        double saved = 0.;
+        for (unsigned int r = 0; r < j; ++r)
+          {
+            const double right = u[r + 1], left = u[1 + int(r) - int(j)];
+            ndu[j][r]         = right - left;
+            const double temp = ndu[r][j - 1] / ndu[j][r];
+            ndu[r][j]         = saved + (right - t) * temp;
+            saved             = (t - left) * temp;
+          }
+        ndu[j][j] = saved;
       }
-      ndu[j][j] = saved;
-    }
 
     std::vector<std::vector<double>> values(n_derivatives + 1,
                                             std::vector<double>(p + 1, 0.));
@@ -255,71 +270,73 @@ namespace asperity
 
     std::vector<double> old_row(p + 1), new_row(p + 1);
     for (int r = 0; r <= int(p); ++r)
-    {
-      std::fill(old_row.begin(), old_row.end(), 0.);
-      old_row[0]    = 1.;
-      double factor = 1.;
-      for (int k = 1; k <= int(std::min(n_derivatives, p)); ++k)
       {
-        // Only functions r - k .. r of degree p - k that exist contribute.
-        const int low = p - k;
-        double sum    = 0.;
-        factor *= p - k + 1;
-        for (int j = 0; j <= k; ++j)
-        {
-          const double here = (j < k ? old_row[j] : 0.);
-          const double left = (j > 0 ? old_row[j - 1] : 0.);
-          const int i       = r - k + j;
-          new_row[j]        = 0.;
-          if (i < 0 || i > low)
-            continue;
-          new_row[j] = (here - left) / ndu[low + 1][i];
-          sum += new_row[j] * ndu[i][low];
-        }
-        values[k][r] = factor * sum;
-        std::swap(old_row, new_row);
+        std::fill(old_row.begin(), old_row.end(), 0.);
+        old_row[0]    = 1.;
+        double factor = 1.;
+        for (int k = 1; k <= int(std::min(n_derivatives, p)); ++k)
+          {
+            // Only functions r - k .. r of degree p - k that exist contribute.
+            const int low = p - k;
+            double    sum = 0.;
+            factor *= p - k + 1;
+            for (int j = 0; j <= k; ++j)
+              {
+                const double here = (j < k ? old_row[j] : 0.);
+                const double left = (j > 0 ? old_row[j - 1] : 0.);
+                const int    i    = r - k + j;
+                new_row[j]        = 0.;
+                if (i < 0 || i > low)
+                  continue;
+                new_row[j] = (here - left) / ndu[low + 1][i];
+                sum += new_row[j] * ndu[i][low];
+              }
+            values[k][r] = factor * sum;
+            std::swap(old_row, new_row);
+          }
       }
-    }
     return values;
   }
 
 
 
-  std::vector<double> KnotVector::greville() const
+  std::vector<double>
+  KnotVector::greville() const
   {
     std::vector<double> points(n_basis());
     for (unsigned int i = 0; i < points.size(); ++i)
-    {
-      for (unsigned int j = 1; j <= degree_; ++j)
-        points[i] += knots_[i + j];
-      points[i] /= degree_;
-    }
+      {
+        for (unsigned int j = 1; j <= degree_; ++j)
+          points[i] += knots_[i + j];
+        points[i] /= degree_;
+      }
     return points;
   }
 
 
 
-  KnotVector KnotVector::dyadic_refinement() const
+  KnotVector
+  KnotVector::dyadic_refinement() const
   {
     if (periodic_)
-    {
-      std::vector<double> halved;
-      for (unsigned int i = 0; i < n_spans(); ++i)
       {
-        halved.push_back(breakpoints_[i]);
-        halved.push_back((breakpoints_[i] + breakpoints_[i + 1]) / 2.);
+        std::vector<double> halved;
+        for (unsigned int i = 0; i < n_spans(); ++i)
+          {
+            halved.push_back(breakpoints_[i]);
+            halved.push_back((breakpoints_[i] + breakpoints_[i + 1]) / 2.);
+          }
+        halved.push_back(back());
+        return KnotVector(degree_, halved, true);
       }
-      halved.push_back(back());
-      return KnotVector(degree_, halved, true);
-    }
 
     std::vector<double> halved;
     for (unsigned int i = 0; i < knots_.size(); ++i)
-    {
-      if (i > 0 && knots_[i - 1] < knots_[i])
-        halved.push_back((knots_[i - 1] + knots_[i]) / 2.);
-      halved.push_back(knots_[i]);
-    }
+      {
+        if (i > 0 && knots_[i - 1] < knots_[i])
+          halved.push_back((knots_[i - 1] + knots_[i]) / 2.);
+        halved.push_back(knots_[i]);
+      }
     return from_knots(degree_, halved);
   }
 } // namespace asperity

@@ -22,48 +22,49 @@ namespace asperity
     struct Row
     {
       std::vector<unsigned int> functions;
-      std::vector<double> values;
-      Tensor<1, 2> target;
+      std::vector<double>       values;
+      Tensor<1, 2>              target;
     };
 
 
 
-    std::vector<Row> collocation(const KnotVector &knots,
-                                 const std::vector<Point<2>> &points,
-                                 const std::vector<double> &parameters,
-                                 const Tensor<1, 2> &period)
+    std::vector<Row>
+    collocation(const KnotVector            &knots,
+                const std::vector<Point<2>> &points,
+                const std::vector<double>   &parameters,
+                const Tensor<1, 2>          &period)
     {
       if (points.size() != parameters.size())
         throw InputError("A spline fit has " + std::to_string(points.size()) +
                          " points and " + std::to_string(parameters.size()) +
                          " parameters, but as many of each are expected.");
-      const double length = knots.back() - knots.front();
+      const double     length = knots.back() - knots.front();
       std::vector<Row> rows(points.size());
       for (unsigned int i = 0; i < rows.size(); ++i)
-      {
-        if (!std::isfinite(points[i][0]) || !std::isfinite(points[i][1]) ||
-            !std::isfinite(parameters[i]))
-          throw InputError("Datum " + std::to_string(i) +
-                           " of a spline fit is not a finite number.");
-        const double t          = knots.wrap(parameters[i]);
-        const unsigned int span = knots.find_span(t);
-        rows[i].functions       = knots.span_functions(span);
-        rows[i].values          = knots.evaluate(span, t)[0];
-        rows[i].target          = points[i];
-        if (!knots.is_periodic())
-          continue;
-        rows[i].target -= std::round((parameters[i] - t) / length) * period;
-        for (unsigned int j = 0; j <= knots.degree(); ++j)
-          if (span + j >= knots.n_basis())
-            rows[i].target -= rows[i].values[j] * period;
-      }
+        {
+          if (!std::isfinite(points[i][0]) || !std::isfinite(points[i][1]) ||
+              !std::isfinite(parameters[i]))
+            throw InputError("Datum " + std::to_string(i) +
+                             " of a spline fit is not a finite number.");
+          const double       t    = knots.wrap(parameters[i]);
+          const unsigned int span = knots.find_span(t);
+          rows[i].functions       = knots.span_functions(span);
+          rows[i].values          = knots.evaluate(span, t)[0];
+          rows[i].target          = points[i];
+          if (!knots.is_periodic())
+            continue;
+          rows[i].target -= std::round((parameters[i] - t) / length) * period;
+          for (unsigned int j = 0; j <= knots.degree(); ++j)
+            if (span + j >= knots.n_basis())
+              rows[i].target -= rows[i].values[j] * period;
+        }
       return rows;
     }
 
 
 
-    std::vector<double> checked_weights(const FitOptions &options,
-                                        const unsigned int n_data)
+    std::vector<double>
+    checked_weights(const FitOptions &options, const unsigned int n_data)
     {
       if (options.weights.empty())
         return std::vector<double>(n_data, 1. / n_data);
@@ -73,13 +74,13 @@ namespace asperity
                          " weights for " + std::to_string(n_data) + " points.");
       double sum = 0.;
       for (const double weight : options.weights)
-      {
-        if (!(weight > 0.) || !std::isfinite(weight))
-          throw InputError("A weight of a spline fit is " +
-                           std::to_string(weight) +
-                           ", but positive numbers are expected.");
-        sum += weight;
-      }
+        {
+          if (!(weight > 0.) || !std::isfinite(weight))
+            throw InputError("A weight of a spline fit is " +
+                             std::to_string(weight) +
+                             ", but positive numbers are expected.");
+          sum += weight;
+        }
       std::vector<double> weights = options.weights;
       for (double &weight : weights)
         weight /= sum;
@@ -90,35 +91,37 @@ namespace asperity
 
     /** Second derivatives of the basis at Gauss points, so that the bending
      * term is a sum of squares as the data are. */
-    std::vector<Row> bending_rows(const KnotVector &knots,
-                                  const FitOptions &options,
-                                  std::vector<double> &weights)
+    std::vector<Row>
+    bending_rows(const KnotVector    &knots,
+                 const FitOptions    &options,
+                 std::vector<double> &weights)
     {
-      std::vector<Row> rows;
+      std::vector<Row>        rows;
       const dealii::QGauss<1> quadrature(knots.degree());
       for (unsigned int span = 0; span < knots.n_spans(); ++span)
         for (unsigned int q = 0; q < quadrature.size(); ++q)
-        {
-          const double begin = knots.breakpoints()[span];
-          const double width = knots.breakpoints()[span + 1] - begin;
-          Row row;
-          row.functions = knots.span_functions(span);
-          row.values =
-            knots.evaluate(span, begin + quadrature.point(q)[0] * width, 2)[2];
-          if (knots.is_periodic())
-            for (unsigned int j = 0; j <= knots.degree(); ++j)
-              if (span + j >= knots.n_basis())
-                row.target -= row.values[j] * options.period;
-          rows.push_back(row);
-          weights.push_back(options.bending * width * quadrature.weight(q));
-        }
+          {
+            const double begin = knots.breakpoints()[span];
+            const double width = knots.breakpoints()[span + 1] - begin;
+            Row          row;
+            row.functions = knots.span_functions(span);
+            row.values    = knots.evaluate(span,
+                                        begin + quadrature.point(q)[0] * width,
+                                        2)[2];
+            if (knots.is_periodic())
+              for (unsigned int j = 0; j <= knots.degree(); ++j)
+                if (span + j >= knots.n_basis())
+                  row.target -= row.values[j] * options.period;
+            rows.push_back(row);
+            weights.push_back(options.bending * width * quadrature.weight(q));
+          }
       return rows;
     }
 
 
 
-    Tensor<1, 2> residual(const Row &row,
-                          const std::vector<Point<2>> &control_points)
+    Tensor<1, 2>
+    residual(const Row &row, const std::vector<Point<2>> &control_points)
     {
       Tensor<1, 2> result = row.target;
       for (unsigned int j = 0; j < row.functions.size(); ++j)
@@ -128,19 +131,20 @@ namespace asperity
 
 
 
-    FitReport make_report(const std::vector<Row> &rows,
-                          const std::vector<Point<2>> &control_points)
+    FitReport
+    make_report(const std::vector<Row>      &rows,
+                const std::vector<Point<2>> &control_points)
     {
       FitReport report;
       report.n_control_points = control_points.size();
       double sum              = 0.;
       for (const Row &row : rows)
-      {
-        const double error = residual(row, control_points).norm();
-        report.residuals.push_back(error);
-        report.max_error = std::max(report.max_error, error);
-        sum += error * error;
-      }
+        {
+          const double error = residual(row, control_points).norm();
+          report.residuals.push_back(error);
+          report.max_error = std::max(report.max_error, error);
+          sum += error * error;
+        }
       report.rms_error = std::sqrt(sum / rows.size());
       return report;
     }
@@ -150,10 +154,10 @@ namespace asperity
     /** The data in the order of the functions that they determine, so that the
      *  collocation matrix is banded: sorted by parameter and, in the periodic
      *  case, counted from the function that is largest at the first one. */
-    std::vector<unsigned int> equation_order(
-      const KnotVector &knots,
-      const std::vector<double> &parameters,
-      const std::vector<Row> &rows)
+    std::vector<unsigned int>
+    equation_order(const KnotVector          &knots,
+                   const std::vector<double> &parameters,
+                   const std::vector<Row>    &rows)
     {
       std::vector<unsigned int> order(rows.size());
       std::iota(order.begin(), order.end(), 0u);
@@ -163,20 +167,21 @@ namespace asperity
                   return knots.wrap(parameters[a]) < knots.wrap(parameters[b]);
                 });
       if (knots.is_periodic())
-      {
-        const Row &first = rows[order[0]];
-        const auto largest =
-          std::max_element(first.values.begin(), first.values.end());
-        const unsigned int shift =
-          first.functions[largest - first.values.begin()];
-        std::rotate(order.begin(), order.end() - shift, order.end());
-      }
+        {
+          const Row &first = rows[order[0]];
+          const auto largest =
+            std::max_element(first.values.begin(), first.values.end());
+          const unsigned int shift =
+            first.functions[largest - first.values.begin()];
+          std::rotate(order.begin(), order.end() - shift, order.end());
+        }
       return order;
     }
 
 
 
-    [[noreturn]] void refuse_singular(const std::string &hint)
+    [[noreturn]] void
+    refuse_singular(const std::string &hint)
     {
       throw InputError("The data of a spline fit do not determine the curve: "
                        "some spans hold too few of them; " +
@@ -186,23 +191,23 @@ namespace asperity
 
 
 
-  std::vector<double> chord_parameters(const std::vector<Point<2>> &points,
-                                       const double exponent)
+  std::vector<double>
+  chord_parameters(const std::vector<Point<2>> &points, const double exponent)
   {
     if (points.size() < 2)
       throw InputError("A curve through " + std::to_string(points.size()) +
                        " points was asked for, but at least 2 are expected.");
     std::vector<double> parameters(points.size());
     for (unsigned int i = 1; i < points.size(); ++i)
-    {
-      const double chord = (points[i] - points[i - 1]).norm();
-      if (!(chord > 0.))
-        throw InputError("Points " + std::to_string(i - 1) + " and " +
-                         std::to_string(i) +
-                         " of a curve coincide, so that they have no "
-                         "chord-length parameters.");
-      parameters[i] = parameters[i - 1] + std::pow(chord, exponent);
-    }
+      {
+        const double chord = (points[i] - points[i - 1]).norm();
+        if (!(chord > 0.))
+          throw InputError("Points " + std::to_string(i - 1) + " and " +
+                           std::to_string(i) +
+                           " of a curve coincide, so that they have no "
+                           "chord-length parameters.");
+        parameters[i] = parameters[i - 1] + std::pow(chord, exponent);
+      }
     const double total = parameters.back();
     for (double &parameter : parameters)
       parameter /= total;
@@ -212,8 +217,9 @@ namespace asperity
 
 
 
-  KnotVector averaged_knots(const std::vector<double> &parameters,
-                            const unsigned int degree)
+  KnotVector
+  averaged_knots(const std::vector<double> &parameters,
+                 const unsigned int         degree)
   {
     if (parameters.size() < degree + 1)
       throw InputError("A curve of degree " + std::to_string(degree) +
@@ -222,22 +228,23 @@ namespace asperity
                        std::to_string(degree + 1) + " are expected.");
     std::vector<double> knots(degree + 1, parameters.front());
     for (unsigned int j = 1; j + degree < parameters.size(); ++j)
-    {
-      double sum = 0.;
-      for (unsigned int i = j; i < j + degree; ++i)
-        sum += parameters[i];
-      knots.push_back(sum / degree);
-    }
+      {
+        double sum = 0.;
+        for (unsigned int i = j; i < j + degree; ++i)
+          sum += parameters[i];
+        knots.push_back(sum / degree);
+      }
     knots.insert(knots.end(), degree + 1, parameters.back());
     return KnotVector::from_knots(degree, knots);
   }
 
 
 
-  SplineFit interpolate(const KnotVector &knot_vector,
-                        const std::vector<Point<2>> &points,
-                        const std::vector<double> &parameters,
-                        const Tensor<1, 2> &period)
+  SplineFit
+  interpolate(const KnotVector            &knot_vector,
+              const std::vector<Point<2>> &points,
+              const std::vector<double>   &parameters,
+              const Tensor<1, 2>          &period)
   {
     const unsigned int n = knot_vector.n_basis();
     if (points.size() != n || parameters.size() != n)
@@ -257,40 +264,40 @@ namespace asperity
     const std::vector<unsigned int> order =
       equation_order(knot_vector, parameters, rows);
     for (unsigned int i = 0; i < n; ++i)
-    {
-      const Row &row = rows[order[i]];
-      for (unsigned int j = 0; j < row.functions.size(); ++j)
       {
-        const unsigned int function = row.functions[j];
-        unsigned int offset = std::max(function, i) - std::min(function, i);
-        if (knot_vector.is_periodic())
-          offset = std::min(offset, n - offset);
-        if (offset <= bandwidth)
-          solver.add(i, function, row.values[j]);
-        else if (row.values[j] != 0.)
-          refuse_singular("spread them as the Greville points are");
+        const Row &row = rows[order[i]];
+        for (unsigned int j = 0; j < row.functions.size(); ++j)
+          {
+            const unsigned int function = row.functions[j];
+            unsigned int offset = std::max(function, i) - std::min(function, i);
+            if (knot_vector.is_periodic())
+              offset = std::min(offset, n - offset);
+            if (offset <= bandwidth)
+              solver.add(i, function, row.values[j]);
+            else if (row.values[j] != 0.)
+              refuse_singular("spread them as the Greville points are");
+          }
+        for (unsigned int d = 0; d < 2; ++d)
+          right_hand_sides[d][i] = row.target[d];
       }
-      for (unsigned int d = 0; d < 2; ++d)
-        right_hand_sides[d][i] = row.target[d];
-    }
     if (!solver.factorize())
       refuse_singular("spread them as the Greville points are");
 
     std::vector<Point<2>> control_points(n);
     for (unsigned int d = 0; d < 2; ++d)
-    {
-      solver.solve(right_hand_sides[d]);
-      for (unsigned int i = 0; i < n; ++i)
-        control_points[i][d] = right_hand_sides[d][i];
-    }
+      {
+        solver.solve(right_hand_sides[d]);
+        for (unsigned int i = 0; i < n; ++i)
+          control_points[i][d] = right_hand_sides[d][i];
+      }
     return {SplineCurve(knot_vector, control_points, {}, period),
             make_report(rows, control_points)};
   }
 
 
 
-  SplineFit interpolate(const std::vector<Point<2>> &points,
-                        const unsigned int degree)
+  SplineFit
+  interpolate(const std::vector<Point<2>> &points, const unsigned int degree)
   {
     const std::vector<double> parameters = chord_parameters(points);
     return interpolate(averaged_knots(parameters, degree), points, parameters);
@@ -298,22 +305,23 @@ namespace asperity
 
 
 
-  SplineFit fit_least_squares(const KnotVector &knot_vector,
-                              const std::vector<Point<2>> &points,
-                              const std::vector<double> &parameters,
-                              const FitOptions &options)
+  SplineFit
+  fit_least_squares(const KnotVector            &knot_vector,
+                    const std::vector<Point<2>> &points,
+                    const std::vector<double>   &parameters,
+                    const FitOptions            &options)
   {
-    const unsigned int n        = knot_vector.n_basis();
-    const bool periodic         = knot_vector.is_periodic();
-    std::vector<double> weights = checked_weights(options, points.size());
-    std::vector<Row> rows =
+    const unsigned int  n        = knot_vector.n_basis();
+    const bool          periodic = knot_vector.is_periodic();
+    std::vector<double> weights  = checked_weights(options, points.size());
+    std::vector<Row>    rows =
       collocation(knot_vector, points, parameters, options.period);
     const std::vector<Row> data = rows;
     if (options.bending > 0.)
-    {
-      const auto bending = bending_rows(knot_vector, options, weights);
-      rows.insert(rows.end(), bending.begin(), bending.end());
-    }
+      {
+        const auto bending = bending_rows(knot_vector, options, weights);
+        rows.insert(rows.end(), bending.begin(), bending.end());
+      }
 
     BandedSolver normal_equations(n, knot_vector.degree(), periodic);
     for (unsigned int i = 0; i < rows.size(); ++i)
@@ -325,10 +333,10 @@ namespace asperity
                                  rows[i].values[b]);
     const bool fix_ends = options.interpolate_ends && !periodic;
     if (fix_ends)
-    {
-      normal_equations.set_identity_row(0);
-      normal_equations.set_identity_row(n - 1);
-    }
+      {
+        normal_equations.set_identity_row(0);
+        normal_equations.set_identity_row(n - 1);
+      }
     if (!normal_equations.factorize())
       refuse_singular("take fewer spans or a bending term");
 
@@ -336,31 +344,32 @@ namespace asperity
     // residual of the data themselves recover the accuracy of a QR solution.
     std::vector<Point<2>> control_points(n);
     for (unsigned int correction = 0; correction < 3; ++correction)
-    {
-      std::array<std::vector<double>, 2> right_hand_sides;
-      for (auto &right_hand_side : right_hand_sides)
-        right_hand_side.resize(n);
-      for (unsigned int i = 0; i < rows.size(); ++i)
       {
-        const Tensor<1, 2> r = residual(rows[i], control_points);
-        for (unsigned int a = 0; a < rows[i].functions.size(); ++a)
-          for (unsigned int d = 0; d < 2; ++d)
-            right_hand_sides[d][rows[i].functions[a]] +=
-              weights[i] * rows[i].values[a] * r[d];
+        std::array<std::vector<double>, 2> right_hand_sides;
+        for (auto &right_hand_side : right_hand_sides)
+          right_hand_side.resize(n);
+        for (unsigned int i = 0; i < rows.size(); ++i)
+          {
+            const Tensor<1, 2> r = residual(rows[i], control_points);
+            for (unsigned int a = 0; a < rows[i].functions.size(); ++a)
+              for (unsigned int d = 0; d < 2; ++d)
+                right_hand_sides[d][rows[i].functions[a]] +=
+                  weights[i] * rows[i].values[a] * r[d];
+          }
+        for (unsigned int d = 0; d < 2; ++d)
+          {
+            if (fix_ends)
+              {
+                right_hand_sides[d][0] =
+                  points.front()[d] - control_points[0][d];
+                right_hand_sides[d][n - 1] =
+                  points.back()[d] - control_points[n - 1][d];
+              }
+            normal_equations.solve(right_hand_sides[d]);
+            for (unsigned int i = 0; i < n; ++i)
+              control_points[i][d] += right_hand_sides[d][i];
+          }
       }
-      for (unsigned int d = 0; d < 2; ++d)
-      {
-        if (fix_ends)
-        {
-          right_hand_sides[d][0] = points.front()[d] - control_points[0][d];
-          right_hand_sides[d][n - 1] =
-            points.back()[d] - control_points[n - 1][d];
-        }
-        normal_equations.solve(right_hand_sides[d]);
-        for (unsigned int i = 0; i < n; ++i)
-          control_points[i][d] += right_hand_sides[d][i];
-      }
-    }
     return {SplineCurve(knot_vector, control_points, {}, options.period),
             make_report(data, control_points)};
   }
@@ -369,10 +378,11 @@ namespace asperity
 
   namespace
   {
-    KnotVector uniform_periodic_knots(const double begin,
-                                      const double period,
-                                      const unsigned int n_spans,
-                                      const unsigned int degree)
+    KnotVector
+    uniform_periodic_knots(const double       begin,
+                           const double       period,
+                           const unsigned int n_spans,
+                           const unsigned int degree)
     {
       if (!(period > 0.) || !std::isfinite(period))
         throw InputError("The period of a profile is " +
@@ -387,12 +397,13 @@ namespace asperity
 
 
 
-  SplineFit fit_periodic_graph(const std::vector<double> &x,
-                               const std::vector<double> &y,
-                               const double period,
-                               const unsigned int n_spans,
-                               const unsigned int degree,
-                               const FitOptions &options)
+  SplineFit
+  fit_periodic_graph(const std::vector<double> &x,
+                     const std::vector<double> &y,
+                     const double               period,
+                     const unsigned int         n_spans,
+                     const unsigned int         degree,
+                     const FitOptions          &options)
   {
     if (x.empty() || x.size() != y.size())
       throw InputError("A profile has " + std::to_string(x.size()) +
@@ -419,22 +430,22 @@ namespace asperity
 
 
 
-  SplineCurve interpolate_periodic_function(
-    const std::function<double(double)> &function,
-    const double x_begin,
-    const double period,
-    const unsigned int n_spans,
-    const unsigned int degree)
+  SplineCurve
+  interpolate_periodic_function(const std::function<double(double)> &function,
+                                const double                         x_begin,
+                                const double                         period,
+                                const unsigned int                   n_spans,
+                                const unsigned int                   degree)
   {
     const KnotVector knots =
       uniform_periodic_knots(x_begin, period, n_spans, degree);
     const std::vector<double> x = knots.greville();
-    std::vector<Point<2>> points;
+    std::vector<Point<2>>     points;
     for (const double position : x)
       points.emplace_back(position, function(position));
     Tensor<1, 2> turn;
-    turn[0]        = knots.back() - knots.front();
-    const auto fit = interpolate(knots, points, x, turn);
+    turn[0]                 = knots.back() - knots.front();
+    const auto          fit = interpolate(knots, points, x, turn);
     std::vector<double> heights;
     for (const Point<2> &point : fit.curve.control_points())
       heights.push_back(point[1]);
