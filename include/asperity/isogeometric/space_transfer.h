@@ -1,0 +1,111 @@
+#ifndef asperity_isogeometric_space_transfer_h
+#define asperity_isogeometric_space_transfer_h
+
+#include <asperity/isogeometric/basis_table.h>
+#include <asperity/isogeometric/spline_hierarchy.h>
+
+#include <deal.II/base/quadrature.h>
+#include <deal.II/lac/full_matrix.h>
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace asperity
+{
+  class L2Projection;
+
+  /**
+   * Takes splines from one space to another on the same level-0 knots:
+   *
+   *     const auto before = space.hierarchy();
+   *     space.execute_refinement();
+   *     const SpaceTransfer transfer(*before, *space.hierarchy());
+   *     u = transfer.apply(u, 2);
+   *
+   * If the old space is part of the new one (no cell was coarsened) the spline
+   * stays the same: each coefficient is read off one cell with the dual
+   * functional of SplineHierarchy::function_home(). Otherwise the new spline
+   * is the L2 projection in the parameters, integrated exactly on the common
+   * refinement of both meshes.
+   */
+  class SpaceTransfer
+  {
+  public:
+    SpaceTransfer(const SplineHierarchy &from, const SplineHierarchy &to);
+
+    ~SpaceTransfer();
+
+    /** Whether every spline of the old space is one of the new space. */
+    bool
+    is_exact() const;
+
+    /** Coefficients [function * n_components + component], from old to new. */
+    std::vector<double>
+    apply(const std::vector<double> &coefficients,
+          const unsigned int         n_components = 1) const;
+
+    /** The geometry in the new space. */
+    PatchGeometry
+    apply(const PatchGeometry &geometry) const;
+
+  private:
+    /** Products of new and old functions on one cell. */
+    struct Products
+    {
+      std::vector<unsigned int>  rows;
+      std::vector<unsigned int>  columns;
+      dealii::FullMatrix<double> values;
+    };
+
+    void
+    build_exact(const SplineHierarchy &from, const SplineHierarchy &to);
+
+    void
+    build_projection(const SplineHierarchy &from, const SplineHierarchy &to);
+
+    bool         exact           = false;
+    unsigned int n_old_functions = 0;
+    unsigned int n_new_functions = 0;
+
+    /** Exact transfer: old function and weight for each new function. */
+    std::vector<std::vector<std::pair<unsigned int, double>>> weights;
+
+    std::vector<Products>         products;
+    std::unique_ptr<L2Projection> projection;
+  };
+
+  /** Whether every cell of `coarse` exists in `fine`, refined or not. */
+  bool
+  is_refinement(const SplineHierarchy &coarse, const SplineHierarchy &fine);
+
+  /**
+   * Takes values at the quadrature points of the cells from one mesh to another
+   * on the same level-0 knots. Cells in both meshes keep their values bit by
+   * bit. Elsewhere, on each cell of the coarser of both meshes, a polynomial is
+   * fitted to the old values by weighted least squares and evaluated at the new
+   * points. It is then drawn towards its mean, as little as needed, until no
+   * value leaves the range of the old values of that cell (the limiter of
+   * X. Zhang, C.-W. Shu, J. Comput. Phys. 229 (2010) 3091-3120). So, for each
+   * component and with a Gauss quadrature, the integral in the parameters is
+   * conserved, and bounds (a plastic strain that is not negative) are kept.
+   *
+   * Components are treated one by one: a relation between components that is
+   * not linear, like det F = 1, must be restored by their owner.
+   *
+   * @param quadrature that of both meshes on the unit square
+   * @param values [(cell * n_q + q) * n_components + component]
+   * @param fit_degree of the polynomial in each direction; less where the
+   *   quadrature has too few points. Histories have kinks: a high degree would
+   *   oscillate, and the limiter then flattens more.
+   */
+  std::vector<double>
+  transfer_history(const SplineHierarchy       &from,
+                   const SplineHierarchy       &to,
+                   const dealii::Quadrature<2> &quadrature,
+                   const std::vector<double>   &values,
+                   const unsigned int           n_components,
+                   const unsigned int           fit_degree = 2);
+} // namespace asperity
+
+#endif
