@@ -83,7 +83,7 @@ namespace asperity::law_tools
   derivative_at_zero(const std::function<double(double)> &f,
                      const double                         first_step)
   {
-    constexpr int    n_rows    = 7;
+    constexpr int    n_rows    = 5;
     constexpr double reduction = 2.;
     double           table[n_rows][n_rows];
     double           best  = 0.;

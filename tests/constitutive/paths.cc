@@ -71,6 +71,25 @@ namespace
 
 
 
+TEST(SaturationHardening, StartsAtTheYieldStressAndTendsToItsAsymptote)
+{
+  // the steel of Simo and Armero (1992), in GPa there
+  const SaturationHardening flow({0.45e9, 0.715e9, 16.93, 0.12924e9});
+  EXPECT_DOUBLE_EQ(flow.static_value(0., 300.), 0.45e9);
+  EXPECT_NEAR(flow.evaluate(0., 1., 300.).d_strain,
+              16.93 * 0.265e9 + 0.12924e9,
+              1.);
+  EXPECT_NEAR(flow.static_value(10., 300.), 0.715e9 + 10. * 0.12924e9, 1.);
+  const auto by_strain = [&](const double h) {
+    return flow.static_value(0.05 + h, 300.);
+  };
+  EXPECT_NEAR(derivative_at_zero(by_strain, 1e-3),
+              flow.evaluate(0.05, 1., 300.).d_strain,
+              1.);
+}
+
+
+
 TEST(UniaxialStress, LinearHardeningFollowsTheClosedForm)
 {
   const double sigma_0 = 300e6, H = 2e9;

@@ -47,7 +47,6 @@ namespace
     MaterialState molten             = deformed;
     molten.temperature               = 1800.;
     const PlaneTensor unloaded       = isochoric_stretch(0.0285);
-    // half a million times the reference rate, a hundredth of it
     return {
       {"elastic",
        {{1.0005, 2e-4, 1e-4, 1.0002, 1.}},

@@ -33,8 +33,8 @@ namespace asperity
    *
    * Since q = q_trial - 3 mu dgamma, the temperature is an explicit function
    * of dgamma, and one scalar equation remains. It always has a root in
-   * (0, q_trial/(3 mu)), found by Newton's method in dgamma or ln(dgamma)
-   * within a bracket; see return_map.h.
+   * (0, q_trial/(3 mu)), found by a Newton method in ln(dgamma) within a
+   * bracket; see return_map.h.
    *
    * In plane kinematics ln b has a closed form without eigenvectors, which
    * is analytic where the in-plane stretches coincide; so is the tangent.

@@ -32,16 +32,111 @@ namespace asperity
   };
 
   /**
+   * e^y for the root y of e^y - 1 + beta y = rho, beta > -1: the scalar return
+   * with the flow stress linear in ln g, e^y being the ratio of the next g to
+   * the last. Small roots come from the series (error y^4), others from
+   * Newton's method, started where it converges monotonically since the left
+   * side is convex.
+   */
+  inline double
+  logarithmic_step(const double beta, const double rho)
+  {
+    constexpr double series_below   = 0.1;
+    constexpr double accuracy       = 1e-3; // its square is left
+    constexpr int    max_iterations = 20;
+    double           y              = rho / (1. + beta);
+    if (std::abs(y) < series_below)
+      {
+        const double a = 0.5 / (1. + beta);
+        y *= 1. + y * (-a + y * (2. * a * a - a / 3.));
+        return 1. + y * (1. + y * (0.5 + y / 6.));
+      }
+    if (rho > 0.)
+      y = std::fmin(y, std::log1p(rho));
+    double exponential = std::exp(y);
+    for (int i = 0; i < max_iterations; ++i)
+      {
+        const double step =
+          (rho + 1. - exponential - beta * y) / (exponential + beta);
+        y += step;
+        if (!(std::abs(step) > accuracy))
+          return exponential * (1. + step);
+        exponential = std::exp(y);
+      }
+    return exponential;
+  }
+
+
+
+  /** R and its parts at one g; see solve_return(). */
+  struct ReturnResidual
+  {
+    FlowStressValue sigma;
+    double          hardening; // d sigma/d g at fixed trial stress
+    double          value;     // R
+  };
+
+
+
+  template <class FlowStress>
+  ReturnResidual
+  return_residual(const FlowStress    &flow_stress,
+                  const ReturnProblem &p,
+                  const double         g)
+  {
+    const double          k = p.heating_coefficient;
+    const double          q = p.trial_stress - p.three_mu * g;
+    const FlowStressValue sigma =
+      flow_stress.evaluate(p.plastic_strain + g,
+                           g * p.inverse_dt,
+                           p.temperature + k * q * g);
+    const double hardening = sigma.d_strain + sigma.d_rate * p.inverse_dt +
+                             sigma.d_temperature * k * (q - p.three_mu * g);
+    return {sigma, hardening, q - sigma.value};
+  }
+
+
+
+  /** The solution once g is the root up to a step of second order. */
+  inline ReturnSolution
+  finish_return(const ReturnProblem  &p,
+                const ReturnResidual &R,
+                const double          g,
+                const double          step,
+                const int             evaluations)
+  {
+    const double k = p.heating_coefficient;
+
+    ReturnSolution solution;
+    solution.increment = g + step;
+    solution.stress    = R.sigma.value + R.hardening * step;
+    solution.temperature =
+      p.temperature + k * solution.stress * solution.increment;
+    // by implicit differentiation of R(g, q_trial) = 0; the hardening at the
+    // root is that of a flow stress linear in ln g
+    const double hardening     = R.hardening * (g / solution.increment);
+    const double explicit_part = R.sigma.d_temperature * k * g;
+    solution.slope =
+      hardening * ((1. - explicit_part) / (p.three_mu + hardening)) +
+      explicit_part;
+    solution.evaluations = evaluations;
+    solution.found       = std::isfinite(solution.slope);
+    return solution;
+  }
+
+
+
+  /**
    * Solve
    *   R(g) = q_trial - 3 mu g - sigma(eps_n + g, g/dt, T_n + k q(g) g) = 0,
    *   q(g) = q_trial - 3 mu g.
    *
    * R(0) > 0 since the trial stress is above the static flow stress, and
    * R(q_trial/(3 mu)) = -sigma < 0, so a root exists; a bracket around it is
-   * kept at all times. Where a step is long compared with g, Newton's method
-   * works in ln g: there eps^n and ln(rate) are mild while their slopes in g
-   * are infinite at 0, and R is concave, so that iterates from the right do
-   * not overshoot. Short steps are taken in g, where R is nearly linear.
+   * kept at all times. Each step makes the flow stress linear in ln g and
+   * keeps the elastic part as it is: the slopes of eps^n and ln(rate) in g are
+   * infinite at 0, but in ln g they are mild. Where the step leaves the
+   * bracket, the bracket is halved in ln g.
    *
    * @param static_flow_stress sigma(eps_n, 0, T_n) [Pa]
    */
@@ -53,59 +148,31 @@ namespace asperity
   {
     constexpr double epsilon          = std::numeric_limits<double>::epsilon();
     constexpr int    max_evaluations  = 200;
-    constexpr double longest_g_step   = 0.3;
     constexpr double smallest_g_ratio = 1e-3;
     // A step this short in ln g is taken to first order without another
-    // evaluation: what it leaves is its square.
-    constexpr double last_step = 1e-9;
+    // evaluation: what it leaves in the stress is its square.
+    constexpr double last_step = 1e-6;
 
-    const double k     = p.heating_coefficient;
-    double       lower = 0.;
-    double       upper = p.trial_stress / p.three_mu;
-    double       g     = (p.trial_stress - static_flow_stress) / p.three_mu;
-
+    double lower = 0.;
+    double upper = p.trial_stress / p.three_mu;
+    double g     = (p.trial_stress - static_flow_stress) / p.three_mu;
     for (int evaluation = 1; evaluation <= max_evaluations; ++evaluation)
       {
-        const double          q = p.trial_stress - p.three_mu * g;
-        const FlowStressValue sigma =
-          flow_stress.evaluate(p.plastic_strain + g,
-                               g * p.inverse_dt,
-                               p.temperature + k * q * g);
-        // d sigma/d g at fixed trial stress
-        const double hardening = sigma.d_strain + sigma.d_rate * p.inverse_dt +
-                                 sigma.d_temperature * k * (q - p.three_mu * g);
-        const double residual = q - sigma.value;
-        const double slope    = -p.three_mu - hardening;
-        const double step     = -residual / slope;
+        const ReturnResidual R         = return_residual(flow_stress, p, g);
+        const double         beta      = R.hardening / p.three_mu;
+        const double         step      = R.value / (p.three_mu + R.hardening);
+        (R.value > 0. ? lower : upper) = g;
 
-        if (residual > 0.)
-          lower = g;
-        else
-          upper = g;
-
-        const bool last = (slope < 0. && std::abs(step) <= last_step * g);
-        if (last || std::abs(residual) <= 4. * epsilon * p.trial_stress ||
+        if (beta > -1. && std::abs(step) <= last_step * g)
+          return finish_return(p, R, g, step, evaluation);
+        if (std::abs(R.value) <= 4. * epsilon * p.trial_stress ||
             upper - lower <= 4. * epsilon * upper)
-          {
-            ReturnSolution solution;
-            solution.increment = last ? g + step : g;
-            solution.stress    = sigma.value + (last ? hardening * step : 0.);
-            solution.temperature =
-              p.temperature + k * solution.stress * solution.increment;
-            // by implicit differentiation of R(g, q_trial) = 0
-            const double explicit_part = sigma.d_temperature * k * g;
-            solution.slope =
-              hardening * ((1. - explicit_part) / (p.three_mu + hardening)) +
-              explicit_part;
-            solution.evaluations = evaluation;
-            solution.found       = std::isfinite(solution.slope);
-            return solution;
-          }
+          return finish_return(p, R, g, 0., evaluation);
 
-        double next = g + step;
-        if (std::abs(step) > longest_g_step * g)
-          next = g * std::exp(step / g);
-        if (!(slope < 0. && next > lower && next < upper))
+        double next = 0.;
+        if (beta > -1.)
+          next = g * logarithmic_step(beta, R.value / (p.three_mu * g));
+        if (!(next > lower && next < upper))
           next = (lower > 0.) ? std::sqrt(lower) * std::sqrt(upper) :
                                 smallest_g_ratio * upper;
         g = next;
