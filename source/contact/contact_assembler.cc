@@ -23,10 +23,9 @@ namespace asperity
     , table_(tabulate_edge(*this->space,
                            geometry,
                            edge,
-                           dealii::QGauss<1>(
-                             options.points_per_element > 0 ?
-                               options.points_per_element :
-                               this->space->degree() + 2)))
+                           dealii::QGauss<1>(options.points_per_element > 0 ?
+                                               options.points_per_element :
+                                               this->space->degree() + 2)))
     , edge_functions(this->space->edge_functions(edge))
     , neighbours(edge_functions.size())
     , weight(edge_functions.size(), 0.)
@@ -36,6 +35,8 @@ namespace asperity
     , function_pressure(edge_functions.size(), 0.)
     , point_pressure(table_.JxW.size(), 0.)
   {
+    for (unsigned int q = 0; q < hint.size(); ++q)
+      hint[q] = table_.position[q][0];
     multiplier.assign(options.formulation == ContactFormulation::mortar ?
                         edge_functions.size() :
                         table_.JxW.size(),
@@ -50,14 +51,13 @@ namespace asperity
             const auto found = std::lower_bound(edge_functions.begin(),
                                                 edge_functions.end(),
                                                 element.functions[a]);
-            if (found == edge_functions.end() ||
-                *found != element.functions[a])
+            if (found == edge_functions.end() || *found != element.functions[a])
               continue;
             functions.push_back(found - edge_functions.begin());
             columns.push_back(a);
             for (unsigned int q = 0; q < table_.points_per_element; ++q)
-              weight[functions.back()] += element.values[q * n + a] *
-                                          table_.JxW[element.first_point + q];
+              weight[functions.back()] +=
+                element.values[q * n + a] * table_.JxW[element.first_point + q];
           }
         for (const unsigned int a : functions)
           overlap[a].insert(functions.begin(), functions.end());
@@ -102,8 +102,8 @@ namespace asperity
             dealii::Point<2>   x     = table_.position[point];
             for (unsigned int a = 0; a < n; ++a)
               for (unsigned int c = 0; c < 2; ++c)
-                x[c] += element.values[q * n + a] *
-                        u(2 * element.functions[a] + c);
+                x[c] +=
+                  element.values[q * n + a] * u(2 * element.functions[a] + c);
             position[point] = x;
             gap[point]      = obstacle->gap(x - offset, hint[point]);
           }
@@ -123,7 +123,7 @@ namespace asperity
         return;
       }
     std::vector<double> weighted_gap(edge_functions.size(), 0.);
-    const auto for_each_value = [&](const auto &action) {
+    const auto          for_each_value = [&](const auto &action) {
       for (unsigned int e = 0; e < table_.elements.size(); ++e)
         {
           const auto        &element = table_.elements[e];
@@ -139,10 +139,8 @@ namespace asperity
       weighted_gap[a] += N * gap[q].gap * table_.JxW[q];
     });
     for (unsigned int a = 0; a < weighted_gap.size(); ++a)
-      function_pressure[a] =
-        std::max(0.,
-                 multiplier[a] -
-                   options_.penalty * weighted_gap[a] / weight[a]);
+      function_pressure[a] = std::max(
+        0., multiplier[a] - options_.penalty * weighted_gap[a] / weight[a]);
     std::fill(point_pressure.begin(), point_pressure.end(), 0.);
     for_each_value([&](const unsigned int q, const unsigned int a, double N) {
       point_pressure[q] += N * function_pressure[a];
@@ -268,7 +266,7 @@ namespace asperity
             if (point_pressure[point] == 0.)
               continue;
             const Tensor<1, 2> &normal = gap[point].normal;
-            const double factor = options_.penalty * table_.JxW[point];
+            const double        factor = options_.penalty * table_.JxW[point];
             for (const unsigned int a : element_columns[e])
               for (const unsigned int b : element_columns[e])
                 for (unsigned int i = 0; i < 2; ++i)
@@ -338,6 +336,23 @@ namespace asperity
 
 
 
+  const std::vector<double> &
+  ContactAssembler::hints() const
+  {
+    return hint;
+  }
+
+
+
+  void
+  ContactAssembler::set_hints(const std::vector<double> &hints)
+  {
+    AssertDimension(hints.size(), hint.size());
+    hint = hints;
+  }
+
+
+
   ContactState
   ContactAssembler::state() const
   {
@@ -348,7 +363,7 @@ namespace asperity
         const double p = point_pressure[q];
         length += table_.JxW[q];
         state.force += p * table_.JxW[q] * gap[q].normal;
-        state.max_pressure    = std::max(state.max_pressure, p);
+        state.max_pressure = std::max(state.max_pressure, p);
         state.mean_gap += std::max(gap[q].gap, 0.) * table_.JxW[q];
         state.max_penetration = std::max(state.max_penetration, -gap[q].gap);
         // A mortar pressure reaches a support beyond the touching points;

@@ -8,7 +8,7 @@ namespace asperity
 {
   using Vector = dealii::Vector<double>;
 
-  Equilibrium::Equilibrium(const unsigned int             n_dofs,
+  Equilibrium::Equilibrium(const unsigned int              n_dofs,
                            const std::vector<ForceTerm *> &terms,
                            const std::vector<bool>        &is_prescribed,
                            const DirectSolverKind          solver_kind)

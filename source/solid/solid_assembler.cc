@@ -56,11 +56,11 @@ namespace asperity
     : space_(std::move(space))
     , law_(std::move(law))
     , kinematics(kinematics)
-    , table_(tabulate_cells(
-        *space_,
-        geometry,
-        dealii::QGauss<2>(n_quadrature > 0 ? n_quadrature :
-                                             space_->degree() + 1)))
+    , table_(tabulate_cells(*space_,
+                            geometry,
+                            dealii::QGauss<2>(n_quadrature > 0 ?
+                                                n_quadrature :
+                                                space_->degree() + 1)))
     , old_history(table_.JxW.size())
     , new_history(table_.JxW.size())
     , mises(table_.JxW.size(), 0.)
@@ -109,7 +109,7 @@ namespace asperity
           {
             const double a_x = weight * A[c][2 * l],
                          a_y = weight * A[c][2 * l + 1];
-            double *column = s.columns[2 * c + l].data();
+            double *column   = s.columns[2 * c + l].data();
             for (unsigned int b = 0; b < n; ++b)
               column[b] = a_x * gx[b] + a_y * gy[b];
             if (axisymmetric && l == 0)
@@ -122,7 +122,7 @@ namespace asperity
             const double *m_x    = s.columns[2 * (2 * i) + l].data(),
                          *m_y    = s.columns[2 * (2 * i + 1) + l].data(),
                          *m_hoop = s.columns[8 + l].data();
-            double *block = s.block[i][l].data();
+            double *block        = s.block[i][l].data();
             for (unsigned int a = 0; a < n; ++a)
               {
                 double      *row  = block + a * n;
@@ -167,10 +167,10 @@ namespace asperity
         for (unsigned int a = 0; a < n; ++a)
           {
             const Tensor<1, 2> &gradient = element.gradients[q * n + a];
-            const double        u_x = s.displacement[2 * a],
-                         u_y        = s.displacement[2 * a + 1];
-            s.gradient_x[a] = gradient[0];
-            s.gradient_y[a] = gradient[1];
+            const double        u_x      = s.displacement[2 * a],
+                         u_y             = s.displacement[2 * a + 1];
+            s.gradient_x[a]              = gradient[0];
+            s.gradient_y[a]              = gradient[1];
             F[0] += u_x * gradient[0];
             F[1] += u_x * gradient[1];
             F[2] += u_y * gradient[0];

@@ -17,9 +17,9 @@ namespace asperity
   namespace
   {
     /**
-     * A deal.II matrix as compressed rows with sorted columns, which SuiteSparse
-     * reads as the compressed columns of the transpose. deal.II stores the
-     * diagonal first, so the slots are found once a pattern.
+     * A deal.II matrix as compressed rows with sorted columns, which
+     * SuiteSparse reads as the compressed columns of the transpose. deal.II
+     * stores the diagonal first, so the slots are found once a pattern.
      */
     class CompressedRows
     {
@@ -87,8 +87,8 @@ namespace asperity
       {
         umfpack_di_defaults(control);
         // Tangents are symmetric in structure and nearly so in value.
-        control[UMFPACK_STRATEGY]          = UMFPACK_STRATEGY_SYMMETRIC;
-        control[UMFPACK_IRSTEP]            = 0;
+        control[UMFPACK_STRATEGY]            = UMFPACK_STRATEGY_SYMMETRIC;
+        control[UMFPACK_IRSTEP]              = 0;
         control[UMFPACK_SYM_PIVOT_TOLERANCE] = 1e-3;
       }
 
@@ -194,8 +194,10 @@ namespace asperity
         if (rows.update(matrix))
           {
             free_all();
-            symbolic = klu_analyze(
-              rows.n(), rows.row_start.data(), rows.column.data(), &common);
+            symbolic = klu_analyze(rows.n(),
+                                   rows.row_start.data(),
+                                   rows.column.data(),
+                                   &common);
           }
         if (symbolic == nullptr)
           return false;
@@ -284,9 +286,9 @@ namespace asperity
       }
 
     private:
-      dealii::SolverControl                           control;
-      dealii::TrilinosWrappers::SparseMatrix          trilinos_matrix;
-      mutable dealii::TrilinosWrappers::SolverDirect  solver;
+      dealii::SolverControl                          control;
+      dealii::TrilinosWrappers::SparseMatrix         trilinos_matrix;
+      mutable dealii::TrilinosWrappers::SolverDirect solver;
     };
   } // namespace
 

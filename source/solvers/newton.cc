@@ -33,7 +33,8 @@ namespace asperity
         const Vector u0   = u;
         double       a = 1., low = 0., high = 1., s_low = s0, s_high = 0.;
         bool         bracketed = false;
-        for (unsigned int trial = 0; trial < options.line_search_trials; ++trial)
+        for (unsigned int trial = 0; trial < options.line_search_trials;
+             ++trial)
           {
             u = u0;
             u.add(a, d);
@@ -103,7 +104,7 @@ namespace asperity
           }
         if (!bracketed)
           return 0.5 * (low + high);
-        const double root = low - s_low * (high - low) / (s_high - s_low);
+        const double root   = low - s_low * (high - low) / (s_high - s_low);
         const double margin = 0.1 * (high - low);
         return std::min(std::max(root, low + margin), high - margin);
       }

@@ -30,7 +30,7 @@ namespace asperity
   /** State of the interface at the last evaluated displacement. */
   struct ContactState
   {
-    dealii::Tensor<1, 2> force;  ///< on the deformable body [N/m]
+    dealii::Tensor<1, 2> force;   ///< on the deformable body [N/m]
     double contact_fraction = 0.; ///< share of the reference length in contact
     double max_pressure     = 0.; ///< [Pa]
     double max_penetration  = 0.; ///< [m]
@@ -46,9 +46,9 @@ namespace asperity
    *                g_a = int N_a g / W_a, W_a = int N_a    (eqs. 15, 16, seed)
    *   Gauss point: int 1 / (2 epsilon) <lambda - epsilon g>^2
    *
-   * so the pressure is p = sum_a N_a <lambda_a - epsilon g_a>, or pointwise, and
-   * acts along the obstacle's normal: R_a = - int N_a p n. The pressure counts
-   * per reference length; on the seed's current length it differs by the
+   * so the pressure is p = sum_a N_a <lambda_a - epsilon g_a>, or pointwise,
+   * and acts along the obstacle's normal: R_a = - int N_a p n. The pressure
+   * counts per reference length; on the seed's current length it differs by the
    * stretch, which multiplies the penalty only.
    * L. De Lorenzis, I. Temizer, P. Wriggers, G. Zavarise, IJNME 87 (2011)
    * 1278-1300.
@@ -85,6 +85,14 @@ namespace asperity
 
     void
     set_multipliers(const std::vector<double> &multipliers);
+
+    /** Where the last closest-point search of each point ended; part of the
+     *  state of a run that is to be repeated bit for bit. */
+    const std::vector<double> &
+    hints() const;
+
+    void
+    set_hints(const std::vector<double> &hints);
 
     ContactState
     state() const;

@@ -6,18 +6,12 @@
 
 namespace asperity
 {
-  /** A rigid spline curve, periodic or not. */
+  /** A rigid spline curve, periodic or not, with certified projection. */
   class CurveObstacle : public RigidObstacle
   {
   public:
-    /** The side of the curve, seen along its parameter, where the body is. */
-    enum class FreeSide
-    {
-      left,
-      right
-    };
-
-    CurveObstacle(const SplineCurve &curve, const FreeSide side);
+    /** @param free_side side of the curve on which the body is */
+    CurveObstacle(const SplineCurve &curve, const CurveSide free_side);
 
     GapPoint
     gap(const dealii::Point<2> &x, double &hint) const override;

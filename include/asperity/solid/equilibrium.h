@@ -36,7 +36,7 @@ namespace asperity
      * @param terms the contributions; they must outlive this object
      * @param is_prescribed one flag a component of u
      */
-    Equilibrium(const unsigned int             n_dofs,
+    Equilibrium(const unsigned int              n_dofs,
                 const std::vector<ForceTerm *> &terms,
                 const std::vector<bool>        &is_prescribed,
                 const DirectSolverKind solver = DirectSolverKind::umfpack);
@@ -71,8 +71,7 @@ namespace asperity
      * @return false if no tangent exists at u
      */
     bool
-    prescribe(dealii::Vector<double>       &u,
-              const dealii::Vector<double> &target);
+    prescribe(dealii::Vector<double> &u, const dealii::Vector<double> &target);
 
     /** Sum of force terms without load, inertia and prescription: at the
      *  prescribed components these are the reactions. */
@@ -98,17 +97,17 @@ namespace asperity
     void
     eliminate_prescribed();
 
-    std::vector<ForceTerm *>             terms;
-    std::vector<bool>                    is_prescribed;
-    dealii::SparsityPattern              pattern;
-    dealii::SparseMatrix<double>         matrix;
-    std::unique_ptr<DirectSolver>        solver;
-    dealii::Vector<double>               load;
-    const dealii::SparseMatrix<double>  *mass = nullptr;
-    double                               mass_factor   = 0.;
-    double                               static_weight = 1.;
-    dealii::Vector<double>               inertia_constant;
-    EquilibriumCost                      cost_;
+    std::vector<ForceTerm *>            terms;
+    std::vector<bool>                   is_prescribed;
+    dealii::SparsityPattern             pattern;
+    dealii::SparseMatrix<double>        matrix;
+    std::unique_ptr<DirectSolver>       solver;
+    dealii::Vector<double>              load;
+    const dealii::SparseMatrix<double> *mass          = nullptr;
+    double                              mass_factor   = 0.;
+    double                              static_weight = 1.;
+    dealii::Vector<double>              inertia_constant;
+    EquilibriumCost                     cost_;
   };
 } // namespace asperity
 

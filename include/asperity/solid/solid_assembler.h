@@ -61,7 +61,8 @@ namespace asperity
     void
     set_history(const std::vector<MaterialState> &history);
 
-    /** Equivalent stress at the last evaluated u, one a point of table() [Pa]. */
+    /** Equivalent stress at the last evaluated u, one a point of table() [Pa].
+     */
     const std::vector<double> &
     mises_stress() const;
 

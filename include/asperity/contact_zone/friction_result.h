@@ -1,0 +1,50 @@
+#ifndef asperity_contact_zone_friction_result_h
+#define asperity_contact_zone_friction_result_h
+
+#include <asperity/postprocess/friction_table.h>
+
+#include <vector>
+
+namespace asperity
+{
+  /**
+   * The friction coefficient of a run (equation 17 of the seed): numerator and
+   * denominator are averaged over a window of time first,
+   * mu = |int T_x dt| / |int T_y dt|, by the trapezoidal rule, which halves the
+   * first-order error of the time steps.
+   */
+  struct FrictionResult
+  {
+    double mu     = 0.;
+    double mu_end = 0.; ///< at the last step
+
+    /** Standard deviation of mu(t) over the window. */
+    double spread = 0.;
+
+    double window_begin = 0., window_end = 0.; ///< [s]
+    double T_x = 0., T_y = 0.;                 ///< means [N/m]
+    double contact_fraction = 0.;              ///< mean
+  };
+
+  /** Rows must be in order of time and hold at least one row after `begin`;
+   *  values at the ends of the window are interpolated. */
+  FrictionResult
+  average_friction(const std::vector<FrictionRow> &rows,
+                   const double                    begin,
+                   const double                    end);
+
+  /** mu over [from, to] in sliding distance. */
+  struct DistanceMean
+  {
+    double from, to; ///< [m]
+    double mu;
+  };
+
+  /** Means over windows of equal sliding distance, the first at zero; a last
+   *  incomplete one is left out. */
+  std::vector<DistanceMean>
+  means_over_distance(const std::vector<FrictionRow> &rows,
+                      const double                    window);
+} // namespace asperity
+
+#endif

@@ -1,0 +1,83 @@
+#ifndef asperity_contact_zone_scene_h
+#define asperity_contact_zone_scene_h
+
+#include <asperity/contact/contact_assembler.h>
+#include <asperity/contact_zone/scene_parameters.h>
+#include <asperity/contact_zone/surface.h>
+#include <asperity/solid/equilibrium.h>
+#include <asperity/solid/solid_assembler.h>
+
+#include <memory>
+#include <vector>
+
+namespace asperity
+{
+  /**
+   * The bodies of a contact scene, as DESIGN has it: an isogeometric chip
+   * block, periodic in x, below a rigid periodic tool. Lengths in metres; y
+   * points from the chip's bottom (y = 0) to the tool.
+   */
+  class Scene
+  {
+  public:
+    explicit Scene(const SceneParameters &parameters);
+
+    Scene(const Scene &) = delete;
+    Scene &
+    operator=(const Scene &) = delete;
+
+    unsigned int
+    n_dofs() const;
+
+    /** Contact penalty epsilon [Pa/m]. */
+    double
+    penalty() const;
+
+    /** Largest element edge of the contact edge [m]. */
+    double
+    contact_element_length() const;
+
+    /** Vertical dead load on the bottom per pressure [m]: times p it is the
+     *  load vector. */
+    const dealii::Vector<double> &
+    bottom_load() const;
+
+    /** True for the x components of functions on the bottom. */
+    const std::vector<bool> &
+    is_prescribed() const;
+
+    /** u = (x, y) everywhere. */
+    dealii::Vector<double>
+    translation(const double x, const double y) const;
+
+    double length; ///< period L [m]
+
+    Surface                            tool_surface, chip_surface;
+    std::shared_ptr<SplineSpace>       space;
+    PatchGeometry                      geometry;
+    std::shared_ptr<const MaterialLaw> law;
+    std::shared_ptr<RigidObstacle>     tool;
+    std::unique_ptr<SolidAssembler>    chip;
+    std::unique_ptr<ContactAssembler>  contact;
+    std::unique_ptr<Equilibrium>       equilibrium;
+
+  private:
+    void
+    build_mesh(const SceneParameters &parameters);
+
+    void
+    build_boundaries();
+
+    dealii::Vector<double> bottom_load_;
+    std::vector<bool>      is_prescribed_;
+    double                 penalty_                = 0.;
+    double                 contact_element_length_ = 0.;
+  };
+
+  /** Levels of the rows of the coarsest mesh: heights from 0 to `height`, the
+   *  topmost row about `top` high, growing downwards by `grading`. */
+  std::vector<double>
+  graded_rows(const double height, const double top, const double grading);
+} // namespace asperity
+
+#endif

@@ -1,0 +1,71 @@
+#ifndef asperity_contact_zone_scene_output_h
+#define asperity_contact_zone_scene_output_h
+
+#include <asperity/contact_zone/audit.h>
+#include <asperity/contact_zone/sliding_run.h>
+#include <asperity/postprocess/checkpoint.h>
+#include <asperity/postprocess/chip_output.h>
+#include <asperity/postprocess/friction_table.h>
+#include <asperity/postprocess/vtu_series.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace asperity
+{
+  /**
+   * The output directory of a run: friction.csv, pictures of chip, tool and
+   * contact line, checkpoints, and at the end summary.json.
+   */
+  class SceneOutput
+  {
+  public:
+    /** @param restart_step tables and pictures up to it are kept; 0: a new run
+     */
+    SceneOutput(const SceneParameters &parameters,
+                const Scene           &scene,
+                const unsigned int     restart_step);
+
+    /** Table row always; pictures and checkpoints at their intervals. */
+    void
+    step(const SlidingRun &run);
+
+    /** The last pictures, and summary.json. */
+    void
+    finish(const SlidingRun               &run,
+           const SceneAudit               &audit,
+           const std::vector<std::string> &warnings,
+           const double                    wall_time);
+
+    /** Writes a checkpoint now, e.g. before the run gives up. */
+    void
+    write_checkpoint(const SlidingRun &run) const;
+
+    /** Seconds that writing has taken. */
+    double
+    seconds() const;
+
+  private:
+    void
+    write_pictures(const SlidingRun &run);
+
+    const SceneParameters         &parameters;
+    const Scene                   &scene;
+    std::unique_ptr<FrictionTable> table;
+    std::unique_ptr<ChipOutput>    chip_output;
+    VtuSeries                      chip, tool, contact_line;
+    CheckpointFolder               checkpoints;
+    unsigned int                   last_picture = 0;
+    double                         seconds_     = 0.;
+  };
+
+  /** The state of a run as a checkpoint, and back. */
+  Checkpoint
+  save(const SlidingRun &run, const Scene &scene);
+
+  void
+  load(const Checkpoint &checkpoint, SlidingRun &run, Scene &scene);
+} // namespace asperity
+
+#endif

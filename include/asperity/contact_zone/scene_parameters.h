@@ -1,0 +1,174 @@
+#ifndef asperity_contact_zone_scene_parameters_h
+#define asperity_contact_zone_scene_parameters_h
+
+#include <asperity/base/parameters.h>
+#include <asperity/constitutive/material_parameters.h>
+#include <asperity/contact/contact_assembler.h>
+#include <asperity/solvers/direct_solver.h>
+#include <asperity/topography/topography_parameters.h>
+
+#include <string>
+#include <vector>
+
+namespace asperity
+{
+  /** Where the heights of a surface come from. */
+  enum class SurfaceKind
+  {
+    flat,
+    harmonics, ///< sum of a_k cos(2 pi k x / L + phi_k)
+    measured   ///< a profile of a height map
+  };
+
+  struct SurfaceParameters
+  {
+    SurfaceKind         kind = SurfaceKind::flat;
+    std::vector<double> wave_numbers;
+    std::vector<double> amplitudes; ///< [m]
+    std::vector<double> phases;     ///< [rad]
+
+    /** Spans of the spline over a period; automatic follows the data. */
+    std::optional<unsigned int> spans;
+    unsigned int                degree = 3;
+
+    TopographyParameters topography;
+
+    void
+    declare(ParameterDeclarator &parameters,
+            const std::string   &section,
+            const std::string   &whose);
+
+    /** Throws InputError if entries contradict each other. */
+    void
+    check(const ParameterDeclarator &parameters,
+          const std::string         &section) const;
+  };
+
+  struct GeometryParameters
+  {
+    double length      = 10e-6;   ///< period L; measured tools bring their own
+    double height      = 5e-6;    ///< H
+    double initial_gap = 0.02e-6; ///< smallest vertical distance at t = 0
+
+    void
+    declare(ParameterDeclarator &parameters);
+  };
+
+  struct MeshParameters
+  {
+    unsigned int degree     = 2;
+    unsigned int spans      = 160;
+    unsigned int refinement = 2;
+    double       strip      = 0.6e-6; ///< depth of the finest cells [m]
+    double       grading    = 1.5;    ///< growth of rows with depth
+    unsigned int quadrature = 0;      ///< Gauss points; 0: degree + 1
+
+    void
+    declare(ParameterDeclarator &parameters);
+  };
+
+  struct LoadParameters
+  {
+    double pressure       = 300e6;
+    double velocity       = 200. / 60.;
+    double temperature    = 298.15;
+    double plastic_strain = 0.;
+
+    void
+    declare(ParameterDeclarator &parameters);
+  };
+
+  enum class Inertia
+  {
+    automatic,
+    quasi_static,
+    dynamic
+  };
+
+  /** When a run ends and over what mu is averaged. */
+  enum class FrictionWindow
+  {
+    time,  ///< end time; the last part of it
+    steady ///< until the mean over a sliding distance is steady
+  };
+
+  struct ProtocolParameters
+  {
+    double         end_time         = 2.5e-7;
+    double         ramp_fraction    = 0.2;
+    unsigned int   ramp_steps       = 16;
+    unsigned int   slide_steps      = 48;
+    Inertia        inertia          = Inertia::automatic;
+    double         spectral_radius  = 0.8;
+    FrictionWindow window           = FrictionWindow::time;
+    double         window_fraction  = 0.5;
+    double         steady_distance  = 1e-6;  ///< length of a window [m]
+    double         steady_step      = 10e-9; ///< sliding distance a step [m]
+    double         steady_tolerance = 0.01;
+    double         maximum_distance = 20e-6;
+
+    void
+    declare(ParameterDeclarator &parameters);
+  };
+
+  struct ContactParameters
+  {
+    ContactFormulation    formulation    = ContactFormulation::mortar;
+    double                penalty_factor = 4.; ///< c in epsilon = c E / h
+    std::optional<double> penalty;             ///< overrides the factor [Pa/m]
+    unsigned int          quadrature            = 0;
+    unsigned int          augmentations         = 0;
+    double                penetration_tolerance = 1e-10; ///< [m]
+
+    void
+    declare(ParameterDeclarator &parameters);
+  };
+
+  struct SolverParameters
+  {
+    double           tolerance          = 1e-5; ///< of p L
+    unsigned int     maximum_iterations = 20;
+    unsigned int     maximum_cuts       = 8;
+    DirectSolverKind linear_solver      = DirectSolverKind::umfpack;
+
+    void
+    declare(ParameterDeclarator &parameters);
+  };
+
+  struct OutputParameters
+  {
+    std::string  directory        = "output/run";
+    unsigned int picture_interval = 8; ///< steps between VTU files; 0: end only
+    unsigned int checkpoint_interval = 10; ///< steps; 0: none
+    unsigned int subdivisions        = 2;
+    bool         restart             = false;
+
+    void
+    declare(ParameterDeclarator &parameters);
+  };
+
+  /** Everything that a parameter file of a contact scene says. */
+  struct SceneParameters
+  {
+    GeometryParameters geometry;
+    SurfaceParameters  tool, chip;
+    MeshParameters     mesh;
+    MaterialParameters material;
+    LoadParameters     load;
+    ProtocolParameters protocol;
+    ContactParameters  contact;
+    SolverParameters   solver;
+    OutputParameters   output;
+
+    SceneParameters();
+
+    void
+    declare(ParameterDeclarator &parameters);
+
+    /** Relations between entries; throws InputError. */
+    void
+    check(const ParameterDeclarator &parameters) const;
+  };
+} // namespace asperity
+
+#endif

@@ -1,0 +1,120 @@
+#ifndef asperity_contact_zone_sliding_run_h
+#define asperity_contact_zone_sliding_run_h
+
+#include <asperity/base/statistics.h>
+#include <asperity/contact_zone/friction_result.h>
+#include <asperity/contact_zone/load_protocol.h>
+#include <asperity/contact_zone/scene.h>
+#include <asperity/time_integration/generalized_alpha.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace asperity
+{
+  /** All that a run must remember between steps, beside the plastic history in
+   *  the chip and the multipliers in the contact. */
+  struct RunState
+  {
+    unsigned int             step = 0;
+    double                   time = 0.;
+    dealii::Vector<double>   u, u_previous;
+    double                   dt_previous = 0.;
+    std::vector<FrictionRow> rows;
+  };
+
+  /**
+   * Loads the chip and slides it under the tool: for each step a predictor,
+   * Newton's method, the augmented-Lagrange loop on request. A step that does
+   * not converge is tried with the next predictor (extrapolation, rigid
+   * translation), then halved.
+   */
+  class SlidingRun
+  {
+  public:
+    SlidingRun(const SceneParameters &parameters, Scene &scene);
+
+    /** What happens after each step, e.g. output. */
+    using Observer = std::function<void(const SlidingRun &)>;
+
+    /**
+     * From the present state to the end.
+     * @throws ComputationError if a step fails after all cuts; state() is then
+     *   the last good one
+     */
+    void
+    run(const Observer &observer);
+
+    /** The mean over the window that the parameters ask for. */
+    FrictionResult
+    friction() const;
+
+    /** Whether a `steady` window found the mean steady. */
+    bool
+    is_steady() const;
+
+    const RunState &
+    state() const;
+
+    /** Continues from a state, whose history and multipliers the scene has. */
+    void
+    set_state(const RunState &state);
+
+    /** Velocity and acceleration of a dynamic run; nullptr if quasi-static. */
+    GeneralizedAlpha *
+    dynamics() const;
+
+    /** Forces at the start of the step (dynamic runs; see GeneralizedAlpha). */
+    dealii::Vector<double> old_forces;
+
+    const LoadProtocol &
+    protocol() const;
+
+    const NewtonStatistics &
+    newton_statistics() const;
+
+    unsigned int
+    n_cuts() const;
+
+  private:
+    bool
+    finished() const;
+
+    bool
+    try_step(const double dt, std::string &reason);
+
+    ConvergenceReport
+    solve(dealii::Vector<double> &u);
+
+    std::vector<dealii::Vector<double>>
+    predictors(const double dt) const;
+
+    /** Rigid shift in y that balances the load p by penalty forces alone [m].
+     */
+    double
+    touching_shift(const double pressure, const double x) const;
+
+    void
+    set_inertia(const double dt);
+
+    void
+    accept(const dealii::Vector<double> &u, const double dt);
+
+    void
+    record(const double seconds);
+
+    const SceneParameters &parameters;
+    Scene                 &scene;
+    LoadProtocol           protocol_;
+    RunState               state_;
+    NewtonStatistics       statistics;
+    unsigned int           cuts = 0;
+
+    std::unique_ptr<GeneralizedAlpha>             dynamics_;
+    std::unique_ptr<dealii::SparseMatrix<double>> mass;
+  };
+} // namespace asperity
+
+#endif

@@ -1,0 +1,98 @@
+#include <asperity/contact_zone/audit.h>
+
+#include <cmath>
+
+namespace asperity
+{
+  namespace
+  {
+    /** Thermal conductivity of steel, for the audit's estimate only [W/(m K)].
+     */
+    constexpr double conductivity = 45.;
+
+    void
+    audit_time_scales(const SceneParameters &parameters,
+                      const Scene           &scene,
+                      SceneAudit            &audit)
+    {
+      const double E          = scene.law->young_modulus(),
+                   nu         = scene.law->poisson_ratio();
+      const double M          = E * (1. - nu) / ((1. + nu) * (1. - 2. * nu));
+      const double wave_speed = std::sqrt(M / scene.law->density());
+      const double transits   = parameters.protocol.ramp_fraction *
+                              parameters.protocol.end_time * wave_speed /
+                              (2. * parameters.geometry.height);
+      audit.entries.push_back(
+        {"wave transits of the chip during the load ramp",
+         transits,
+         "above 10 the chip is in equilibrium at every moment: quasi-static"});
+      audit.inertia =
+        transits >= 10. ? Inertia::quasi_static : Inertia::dynamic;
+
+      const double v        = parameters.load.velocity;
+      const double momentum = scene.law->density() * v * v;
+      audit.entries.push_back({"rho v^2 over the pressure",
+                               momentum / parameters.load.pressure,
+                               "share of the load that the chip's momentum can "
+                               "carry; far below 1 it does not count"});
+
+      const double diffusivity = conductivity / (scene.law->density() * 450.);
+      const double heat_length =
+        std::sqrt(diffusivity * parameters.protocol.end_time);
+      const double roughness =
+        scene.tool_surface.maximum() - scene.tool_surface.minimum();
+      audit.entries.push_back(
+        {"heat length over peak-to-valley height",
+         heat_length / roughness,
+         "far below 1 no heat leaves the asperity contacts: adiabatic; near "
+         "and above 1 adiabatic heating is an upper bound"});
+      audit.entries.push_back({"sliding distance over the period",
+                               v * parameters.protocol.end_time / scene.length,
+                               "below about 0.05 the contact is still running "
+                               "in, and mu depends on the distance"});
+    }
+
+    void
+    audit_resolution(const SceneParameters &parameters,
+                     const Scene           &scene,
+                     SceneAudit            &audit)
+    {
+      const double slope = scene.tool_surface.largest_slope();
+      audit.entries.push_back({"largest slope of the tool",
+                               slope,
+                               "a bound for mu without adhesion"});
+      if (slope > 1.5)
+        audit.warnings.push_back(
+          "The tool is steeper than 1.5 somewhere; filter it or scale it.");
+      const double penetration = parameters.load.pressure / scene.penalty();
+      const double roughness =
+        scene.tool_surface.maximum() - scene.tool_surface.minimum();
+      audit.entries.push_back({"mean penetration over peak-to-valley height",
+                               penetration / roughness,
+                               "above 0.001 the penalty is too soft"});
+      if (penetration > 1e-2 * roughness)
+        audit.warnings.push_back(
+          "The contact penalty is soft against the roughness; raise the "
+          "penalty factor or use augmentations.");
+      audit.entries.push_back(
+        {"chip height over peak-to-valley height",
+         parameters.geometry.height / roughness,
+         "below about 3 the bottom of the chip feels the asperities"});
+      audit.entries.push_back(
+        {"elements across the steepest asperity",
+         roughness / std::max(slope, 1e-12) / scene.contact_element_length(),
+         "below about 4 the mesh does not resolve the tool"});
+    }
+  } // namespace
+
+
+
+  SceneAudit
+  audit_scene(const SceneParameters &parameters, const Scene &scene)
+  {
+    SceneAudit audit;
+    audit_time_scales(parameters, scene, audit);
+    audit_resolution(parameters, scene, audit);
+    return audit;
+  }
+} // namespace asperity

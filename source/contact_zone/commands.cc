@@ -1,0 +1,203 @@
+#include <asperity/base/errors.h>
+#include <asperity/base/progress.h>
+#include <asperity/base/version.h>
+#include <asperity/contact_zone/commands.h>
+#include <asperity/contact_zone/scene_output.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/timer.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+
+namespace asperity
+{
+  namespace
+  {
+    /** A parameter file, declared, read and checked. */
+    struct SceneInput
+    {
+      explicit SceneInput(const std::string &file)
+        : declarator(handler)
+      {
+        parameters.declare(declarator);
+        declarator.read_file(file);
+        parameters.check(declarator);
+      }
+
+      dealii::ParameterHandler handler;
+      ParameterDeclarator      declarator;
+      SceneParameters          parameters;
+    };
+
+    void
+    print_scene(const Scene &scene, const SceneAudit &audit)
+    {
+      std::cout << "Tool: " << scene.tool_surface.description << ", period "
+                << format_quantity(scene.length, "um", 4) << ", peak to valley "
+                << format_quantity(scene.tool_surface.maximum() -
+                                     scene.tool_surface.minimum(),
+                                   "um",
+                                   3)
+                << "\nChip: " << scene.chip_surface.description << ", "
+                << scene.law->name() << ", degree " << scene.space->degree()
+                << ", " << scene.space->n_cells() << " elements, "
+                << scene.n_dofs() << " unknowns, penalty "
+                << format_quantity(scene.penalty(), "Pa/m", 3)
+                << "\nScene audit:\n";
+      for (const AuditEntry &entry : audit.entries)
+        std::cout << "  " << std::left << std::setw(48) << entry.name
+                  << std::setprecision(3) << std::setw(10) << entry.value
+                  << " (" << entry.meaning << ")\n";
+      std::cout << "Models: dry, "
+                << (audit.inertia == Inertia::dynamic ? "dynamic" :
+                                                        "quasi-static")
+                << ", adiabatic\n";
+    }
+
+    void
+    print_result(const SlidingRun               &run,
+                 const SceneParameters          &parameters,
+                 const std::vector<std::string> &warnings,
+                 const double                    seconds)
+    {
+      const FrictionResult friction = run.friction();
+      std::cout << std::setprecision(4) << "mu = " << friction.mu << " +- "
+                << friction.spread << " (spread over time), at the end "
+                << friction.mu_end << ", contact fraction "
+                << friction.contact_fraction << "\n"
+                << run.state().step << " steps, "
+                << run.newton_statistics().iterations << " Newton iterations, "
+                << std::setprecision(3) << seconds << " s; results in "
+                << parameters.output.directory << "\n";
+      for (const std::string &warning : warnings)
+        std::cout << "Warning: " << warning << "\n";
+    }
+
+    /** The choice of the parameter file, or what the audit says. */
+    void
+    resolve_models(SceneParameters &parameters, SceneAudit &audit)
+    {
+      if (parameters.protocol.inertia == Inertia::automatic)
+        parameters.protocol.inertia = audit.inertia;
+      audit.inertia = parameters.protocol.inertia;
+    }
+
+    std::vector<std::string>
+    collect_warnings(const SlidingRun      &run,
+                     const SceneParameters &parameters,
+                     const Scene           &scene,
+                     const SceneAudit      &audit)
+    {
+      std::vector<std::string> warnings = audit.warnings;
+      if (scene.tool_surface.topography)
+        {
+          const auto &report = *scene.tool_surface.topography;
+          warnings.insert(warnings.end(),
+                          report.sanity.warnings.begin(),
+                          report.sanity.warnings.end());
+          warnings.insert(warnings.end(),
+                          report.warnings.begin(),
+                          report.warnings.end());
+        }
+      if (parameters.protocol.window == FrictionWindow::steady &&
+          !run.is_steady())
+        warnings.push_back(
+          "mu is not steady after the maximal sliding "
+          "distance of " +
+          format_quantity(parameters.protocol.maximum_distance, "um") + ".");
+      return warnings;
+    }
+
+    void
+    write_parameters(const SceneInput &input)
+    {
+      std::filesystem::create_directories(input.parameters.output.directory);
+      std::ofstream file(input.parameters.output.directory + "/parameters.prm");
+      input.declarator.write_prm(file);
+    }
+  } // namespace
+
+
+
+  int
+  run_scene(const std::string &file)
+  {
+    dealii::Timer    timer;
+    SceneInput       input(file);
+    SceneParameters &parameters = input.parameters;
+    Scene            scene(parameters);
+    SceneAudit       audit = audit_scene(parameters, scene);
+    resolve_models(parameters, audit);
+    std::cout << version_line() << "\n";
+    print_scene(scene, audit);
+
+    SlidingRun   run(parameters, scene);
+    unsigned int restart_step = 0;
+    if (parameters.output.restart)
+      {
+        const auto found =
+          CheckpointFolder(parameters.output.directory + "/checkpoint")
+            .read_newest();
+        load(found.checkpoint, run, scene);
+        restart_step = found.step;
+        for (const std::string &warning : found.warnings)
+          std::cout << "Warning: " << warning << "\n";
+        std::cout << "Restart after step " << restart_step << "\n";
+      }
+    SceneOutput output(parameters, scene, restart_step);
+    write_parameters(input);
+
+    ProgressLine progress(std::cout);
+    try
+      {
+        run.run([&](const SlidingRun &now) {
+          output.step(now);
+          const FrictionRow &row = now.state().rows.back();
+          progress.update(row.time / now.protocol().end_time(),
+                          "step " + std::to_string(row.step) +
+                            "  t = " + format_quantity(row.time, "us", 3) +
+                            "  mu = " + format_quantity(row.mu, "1", 3));
+        });
+      }
+    catch (const ComputationError &error)
+      {
+        output.write_checkpoint(run);
+        throw ComputationError(std::string(error.what()) +
+                               " The last good state is in " +
+                               parameters.output.directory + "/checkpoint.");
+      }
+    const auto warnings = collect_warnings(run, parameters, scene, audit);
+    output.finish(run, audit, warnings, timer.wall_time());
+    progress.note("");
+    print_result(run, parameters, warnings, timer.wall_time());
+    return 0;
+  }
+
+
+
+  int
+  check_scene(const std::string &file)
+  {
+    SceneInput  input(file);
+    const Scene scene(input.parameters);
+    SceneAudit  audit = audit_scene(input.parameters, scene);
+    resolve_models(input.parameters, audit);
+    print_scene(scene, audit);
+    for (const std::string &warning : audit.warnings)
+      std::cout << "Warning: " << warning << "\n";
+    std::cout << file << " is valid.\n";
+    return 0;
+  }
+
+
+
+  void
+  declare_all_parameters(ParameterDeclarator &parameters)
+  {
+    static SceneParameters scene;
+    scene.declare(parameters);
+  }
+} // namespace asperity

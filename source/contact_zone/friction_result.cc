@@ -1,0 +1,100 @@
+#include <asperity/base/errors.h>
+#include <asperity/contact_zone/friction_result.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity
+{
+  namespace
+  {
+    /** The piecewise linear history between two rows at time t. */
+    FrictionRow
+    interpolate(const FrictionRow &a, const FrictionRow &b, const double t)
+    {
+      const double w   = (t - a.time) / (b.time - a.time);
+      FrictionRow  row = b;
+      row.time         = t;
+      row.T_x          = (1. - w) * a.T_x + w * b.T_x;
+      row.T_y          = (1. - w) * a.T_y + w * b.T_y;
+      row.contact_fraction =
+        (1. - w) * a.contact_fraction + w * b.contact_fraction;
+      return row;
+    }
+
+    double
+    coefficient(const double T_x, const double T_y)
+    {
+      return T_y != 0. ? std::abs(T_x / T_y) : 0.;
+    }
+  } // namespace
+
+
+
+  FrictionResult
+  average_friction(const std::vector<FrictionRow> &rows,
+                   const double                    begin,
+                   const double                    end)
+  {
+    if (rows.size() < 2 || !(begin < end) || rows.back().time <= begin)
+      throw ComputationError("The friction window holds no time step: it "
+                             "starts at " +
+                             std::to_string(begin * 1e6) + " us.");
+    FrictionResult result;
+    result.window_begin = std::max(begin, rows.front().time);
+    result.window_end   = std::min(end, rows.back().time);
+    result.mu_end       = coefficient(rows.back().T_x, rows.back().T_y);
+
+    double x = 0., y = 0., fraction = 0., mu = 0., mu_squared = 0.;
+    for (std::size_t i = 1; i < rows.size(); ++i)
+      {
+        const double t0 = std::max(rows[i - 1].time, result.window_begin),
+                     t1 = std::min(rows[i].time, result.window_end);
+        if (t0 >= t1)
+          continue;
+        const FrictionRow a = interpolate(rows[i - 1], rows[i], t0),
+                          b = interpolate(rows[i - 1], rows[i], t1);
+        const double half   = 0.5 * (t1 - t0);
+        const double mu_a   = coefficient(a.T_x, a.T_y),
+                     mu_b   = coefficient(b.T_x, b.T_y);
+        x += half * (a.T_x + b.T_x);
+        y += half * (a.T_y + b.T_y);
+        fraction += half * (a.contact_fraction + b.contact_fraction);
+        mu += half * (mu_a + mu_b);
+        mu_squared += half * (mu_a * mu_a + mu_b * mu_b);
+      }
+    const double duration   = result.window_end - result.window_begin;
+    result.T_x              = x / duration;
+    result.T_y              = y / duration;
+    result.contact_fraction = fraction / duration;
+    result.mu               = coefficient(x, y);
+    const double mean       = mu / duration;
+    result.spread =
+      std::sqrt(std::max(0., mu_squared / duration - mean * mean));
+    return result;
+  }
+
+
+
+  std::vector<DistanceMean>
+  means_over_distance(const std::vector<FrictionRow> &rows, const double window)
+  {
+    std::vector<DistanceMean> means;
+    if (rows.size() < 2)
+      return means;
+    const FrictionRow &last = rows.back();
+    const double       velocity =
+      (last.sliding_distance - rows.front().sliding_distance) /
+      (last.time - rows.front().time);
+    for (unsigned int i = 0;; ++i)
+      {
+        const double from = i * window, to = (i + 1) * window;
+        if (to > last.sliding_distance * (1. + 1e-12))
+          return means;
+        means.push_back(
+          {from,
+           to,
+           average_friction(rows, from / velocity, to / velocity).mu});
+      }
+  }
+} // namespace asperity

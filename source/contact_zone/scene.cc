@@ -1,0 +1,202 @@
+#include <asperity/base/errors.h>
+#include <asperity/contact/curve_obstacle.h>
+#include <asperity/contact_zone/scene.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity
+{
+  using dealii::Point;
+  using Vector = dealii::Vector<double>;
+
+  std::vector<double>
+  graded_rows(const double height, const double top, const double grading)
+  {
+    // Rows top, top g, top g^2, ... until they reach the bottom, then scaled to
+    // fit.
+    std::vector<double> rows;
+    double              sum = 0.;
+    for (double row = top; sum + 0.5 * row < height; row *= grading)
+      {
+        rows.push_back(row);
+        sum += row;
+      }
+    std::vector<double> levels(1, height);
+    for (const double row : rows)
+      levels.push_back(levels.back() - row * height / sum);
+    levels.back() = 0.;
+    std::reverse(levels.begin(), levels.end());
+    return levels;
+  }
+
+
+
+  Scene::Scene(const SceneParameters &parameters)
+  {
+    tool_surface = make_surface(parameters.tool, parameters.geometry.length);
+    length       = tool_surface.period;
+    // Measured heights point out of the tool, and the tool is above.
+    if (parameters.tool.kind == SurfaceKind::measured)
+      tool_surface = tool_surface.mapped(-1., 0.);
+    chip_surface = make_surface(parameters.chip, length);
+    if (std::abs(chip_surface.period - length) > 1e-6 * length)
+      throw InputError("Chip surface: its period is " +
+                       format_quantity(chip_surface.period, "um") +
+                       "; expected that of the tool, " +
+                       format_quantity(length, "um") +
+                       "; crop or scale one of them.");
+    const double height = parameters.geometry.height;
+    chip_surface        = chip_surface.mapped(1., height);
+    tool_surface =
+      tool_surface.mapped(1.,
+                          parameters.geometry.initial_gap -
+                            smallest_gap(chip_surface, tool_surface));
+
+    build_mesh(parameters);
+    law = make_material_law(parameters.material);
+    tool =
+      std::make_shared<CurveObstacle>(tool_surface.curve, CurveSide::right);
+
+    contact_element_length_ = length / parameters.mesh.spans;
+    penalty_                = parameters.contact.penalty.value_or(
+      parameters.contact.penalty_factor * law->young_modulus() /
+      contact_element_length_);
+    chip = std::make_unique<SolidAssembler>(space,
+                                            geometry,
+                                            law,
+                                            Kinematics::plane_strain,
+                                            parameters.mesh.quadrature);
+    MaterialState start;
+    start.temperature    = parameters.load.temperature;
+    start.plastic_strain = parameters.load.plastic_strain;
+    chip->initialize(start);
+
+    ContactOptions options;
+    options.formulation        = parameters.contact.formulation;
+    options.penalty            = penalty_;
+    options.points_per_element = parameters.contact.quadrature;
+    contact                    = std::make_unique<ContactAssembler>(
+      space, geometry, Edge::top, tool, options);
+
+    build_boundaries();
+    equilibrium =
+      std::make_unique<Equilibrium>(n_dofs(),
+                                    std::vector<ForceTerm *>{chip.get(),
+                                                             contact.get()},
+                                    is_prescribed_,
+                                    parameters.solver.linear_solver);
+  }
+
+
+
+  void
+  Scene::build_mesh(const SceneParameters &parameters)
+  {
+    const MeshParameters &mesh   = parameters.mesh;
+    const double          height = parameters.geometry.height;
+    const unsigned int    n      = mesh.spans >> mesh.refinement;
+    std::vector<double>   columns(n + 1);
+    for (unsigned int i = 0; i <= n; ++i)
+      columns[i] = length * i / n;
+    const std::vector<double> rows =
+      graded_rows(height, length / n, mesh.grading);
+    space =
+      std::make_shared<SplineSpace>(KnotVector(mesh.degree, columns, true),
+                                    KnotVector(mesh.degree, rows));
+    for (unsigned int level = 1; level <= mesh.refinement; ++level)
+      {
+        const double depth = mesh.strip * (1u << (mesh.refinement - level));
+        // A cell belongs to the strip if its upper edge lies in it.
+        space->refine_to_level(level,
+                               [&](const Point<2> &, const Point<2> &upper) {
+                                 return upper[1] > height - depth * (1. - 1e-9);
+                               });
+      }
+    if (parameters.chip.kind == SurfaceKind::flat)
+      return;
+    // The offset of the chip's top decays into the depth, so that the coarse
+    // rows need not resolve it.
+    geometry = PatchGeometry::from_map(*space, [&](const Point<2> &p) {
+      const double eta = p[1] / height;
+      return Point<2>(p[0],
+                      p[1] + (chip_surface.height(p[0]) - height) *
+                               std::pow(eta, 4));
+    });
+  }
+
+
+
+  void
+  Scene::build_boundaries()
+  {
+    bottom_load_.reinit(n_dofs());
+    is_prescribed_.assign(n_dofs(), false);
+    for (const unsigned int a : space->edge_functions(Edge::bottom))
+      is_prescribed_[2 * a] = true;
+    const BasisTable bottom = tabulate_edge(
+      *space, geometry, Edge::bottom, dealii::QGauss<1>(space->degree() + 1));
+    for (const auto &element : bottom.elements)
+      for (unsigned int q = 0; q < bottom.points_per_element; ++q)
+        for (unsigned int a = 0; a < element.functions.size(); ++a)
+          bottom_load_(2 * element.functions[a] + 1) +=
+            element.values[q * element.functions.size() + a] *
+            bottom.JxW[element.first_point + q];
+  }
+
+
+
+  unsigned int
+  Scene::n_dofs() const
+  {
+    return 2 * space->n_functions();
+  }
+
+
+
+  double
+  Scene::penalty() const
+  {
+    return penalty_;
+  }
+
+
+
+  double
+  Scene::contact_element_length() const
+  {
+    return contact_element_length_;
+  }
+
+
+
+  const Vector &
+  Scene::bottom_load() const
+  {
+    return bottom_load_;
+  }
+
+
+
+  const std::vector<bool> &
+  Scene::is_prescribed() const
+  {
+    return is_prescribed_;
+  }
+
+
+
+  Vector
+  Scene::translation(const double x, const double y) const
+  {
+    Vector u(n_dofs());
+    for (unsigned int a = 0; a < space->n_functions(); ++a)
+      {
+        u(2 * a)     = x;
+        u(2 * a + 1) = y;
+      }
+    return u;
+  }
+} // namespace asperity

@@ -1,0 +1,262 @@
+#include <asperity/base/errors.h>
+#include <asperity/base/version.h>
+#include <asperity/contact_zone/scene_output.h>
+#include <asperity/postprocess/polyline.h>
+#include <asperity/postprocess/summary.h>
+
+#include <deal.II/base/timer.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <filesystem>
+
+namespace asperity
+{
+  using json = nlohmann::ordered_json;
+
+  namespace
+  {
+    /** Everything is drawn twice side by side, as in the seed's figure 3. */
+    constexpr unsigned int n_drawn_periods = 2;
+
+    std::string
+    made(const std::string &directory)
+    {
+      std::error_code error;
+      std::filesystem::create_directories(directory, error);
+      if (error)
+        throw InputError("Output/Output directory: the folder '" + directory +
+                         "' cannot be made (" + error.message() +
+                         "); expected a place that can be written to.");
+      return directory;
+    }
+  } // namespace
+
+
+
+  SceneOutput::SceneOutput(const SceneParameters &parameters,
+                           const Scene           &scene,
+                           const unsigned int     restart_step)
+    : parameters(parameters)
+    , scene(scene)
+    , chip(made(parameters.output.directory),
+           "chip",
+           restart_step > 0 ? static_cast<int>(restart_step) :
+                              VtuSeries::keep_nothing)
+    , tool(parameters.output.directory,
+           "tool",
+           restart_step > 0 ? static_cast<int>(restart_step) :
+                              VtuSeries::keep_nothing)
+    , contact_line(parameters.output.directory,
+                   "contact",
+                   restart_step > 0 ? static_cast<int>(restart_step) :
+                                      VtuSeries::keep_nothing)
+    , checkpoints(parameters.output.directory + "/checkpoint")
+    , last_picture(restart_step)
+  {
+    table       = restart_step > 0 ?
+                    std::make_unique<FrictionTable>(parameters.output.directory,
+                                              restart_step) :
+                    std::make_unique<FrictionTable>(parameters.output.directory);
+    chip_output = std::make_unique<ChipOutput>(
+      *scene.space,
+      scene.geometry,
+      parameters.output.subdivisions,
+      static_cast<unsigned int>(
+        std::lround(std::sqrt(scene.chip->table().points_per_element))));
+  }
+
+
+
+  void
+  SceneOutput::step(const SlidingRun &run)
+  {
+    dealii::Timer timer;
+    table->append(run.state().rows.back());
+    const unsigned int step = run.state().step;
+    if (parameters.output.picture_interval > 0 &&
+        step % parameters.output.picture_interval == 0)
+      write_pictures(run);
+    if (parameters.output.checkpoint_interval > 0 &&
+        step % parameters.output.checkpoint_interval == 0)
+      write_checkpoint(run);
+    seconds_ += timer.wall_time();
+  }
+
+
+
+  void
+  SceneOutput::write_pictures(const SlidingRun &run)
+  {
+    const unsigned int step = run.state().step;
+    const double       time = run.state().time;
+    last_picture            = step;
+
+    ChipFields fields;
+    fields.displacement         = run.state().u;
+    const auto         &history = scene.chip->history();
+    std::vector<double> strain(history.size()), temperature(history.size());
+    for (std::size_t q = 0; q < history.size(); ++q)
+      {
+        strain[q]      = history[q].plastic_strain;
+        temperature[q] = history[q].temperature - 273.15;
+      }
+    fields.quadrature_scalars = {{"equivalent plastic strain [-]", strain},
+                                 {"temperature [degC]", temperature},
+                                 {"von Mises stress [Pa]",
+                                  scene.chip->mises_stress()}};
+    chip.write(step, time, [&](std::ostream &out) {
+      chip_output->write(out, fields, time, step, n_drawn_periods);
+    });
+
+    // The tool stands above all places where the chip is drawn.
+    Polyline           curve;
+    const unsigned int n =
+      4 * n_drawn_periods * scene.tool_surface.curve.knot_vector().n_spans();
+    const double shift = run.protocol().displacement(time);
+    for (unsigned int i = 0; i <= n; ++i)
+      {
+        const double x = shift + n_drawn_periods * scene.length * i / n;
+        curve.points.emplace_back(x, scene.tool_surface.height(x));
+      }
+    tool.write(step, time, [&](std::ostream &out) {
+      write_polyline(out, curve, time, step);
+    });
+
+    Polyline                          line;
+    const auto                       &contact = *scene.contact;
+    std::vector<double>               gap;
+    std::vector<dealii::Tensor<1, 2>> traction;
+    for (std::size_t q = 0; q < contact.pressure().size(); ++q)
+      {
+        gap.push_back(contact.gaps()[q].gap);
+        traction.push_back(contact.pressure()[q] * contact.gaps()[q].normal);
+      }
+    line.points  = contact.positions();
+    line.scalars = {{"contact pressure [Pa]", contact.pressure()},
+                    {"gap [m]", gap}};
+    line.vectors = {{"traction [Pa]", traction}};
+    contact_line.write(step, time, [&](std::ostream &out) {
+      write_polyline(out, line, time, step);
+    });
+  }
+
+
+
+  void
+  SceneOutput::write_checkpoint(const SlidingRun &run) const
+  {
+    checkpoints.write(save(run, scene), run.state().step);
+  }
+
+
+
+  double
+  SceneOutput::seconds() const
+  {
+    return seconds_;
+  }
+
+
+
+  namespace
+  {
+    json
+    summarise_friction(const SlidingRun &run, const SceneParameters &parameters)
+    {
+      const FrictionResult friction = run.friction();
+      const double         v        = parameters.load.velocity;
+      json                 summary;
+      summary["mu"]     = friction.mu;
+      summary["mu_end"] = friction.mu_end;
+      summary["spread"] = friction.spread;
+      summary["window"] = {friction.window_begin, friction.window_end};
+      summary["window_sliding_distance"] = {friction.window_begin * v,
+                                            friction.window_end * v};
+      summary["T_x"]                     = friction.T_x;
+      summary["T_y"]                     = friction.T_y;
+      json distances                     = json::array();
+      for (const DistanceMean &mean :
+           means_over_distance(run.state().rows, 0.1e-6))
+        distances.push_back(
+          {{"from", mean.from}, {"to", mean.to}, {"mu", mean.mu}});
+      summary["over_distance"] = distances;
+      if (parameters.protocol.window == FrictionWindow::steady)
+        summary["steady"] = run.is_steady();
+      return summary;
+    }
+
+    json
+    summarise_cost(const SlidingRun &run,
+                   const Scene      &scene,
+                   const double      output_seconds,
+                   const double      wall_time)
+    {
+      const EquilibriumCost &cost = scene.equilibrium->cost();
+      json                   summary;
+      summary["wall_time"]         = wall_time;
+      summary["assembly"]          = cost.assembly;
+      summary["factorisation"]     = cost.factorisation;
+      summary["solution"]          = cost.solution;
+      summary["output"]            = output_seconds;
+      summary["steps"]             = run.state().step;
+      summary["cuts"]              = run.n_cuts();
+      summary["newton_iterations"] = run.newton_statistics().iterations;
+      summary["factorisations"]    = cost.factorisations;
+      summary["linearizations"]    = run.newton_statistics().linearizations;
+      summary["residuals"]         = run.newton_statistics().residuals;
+      return summary;
+    }
+  } // namespace
+
+
+
+  void
+  SceneOutput::finish(const SlidingRun               &run,
+                      const SceneAudit               &audit,
+                      const std::vector<std::string> &warnings,
+                      const double                    wall_time)
+  {
+    dealii::Timer timer;
+    if (last_picture != run.state().step)
+      write_pictures(run);
+    seconds_ += timer.wall_time();
+
+    json summary;
+    summary["program"]          = version_json();
+    summary["friction"]         = summarise_friction(run, parameters);
+    summary["contact_fraction"] = run.friction().contact_fraction;
+    const FrictionRow &last     = run.state().rows.back();
+    summary["end"]              = {{"time", last.time},
+                                   {"sliding_distance", last.sliding_distance},
+                                   {"max_contact_pressure", last.max_contact_pressure},
+                                   {"max_plastic_strain", last.max_plastic_strain},
+                                   {"max_temperature", last.max_temperature},
+                                   {"max_penetration", last.max_penetration}};
+    summary["load"]             = {{"pressure", parameters.load.pressure},
+                                   {"velocity", parameters.load.velocity},
+                                   {"temperature", parameters.load.temperature},
+                                   {"plastic_strain", parameters.load.plastic_strain}};
+    summary["models"]           = {
+                {"lubricant", "none"},
+                {"inertia", run.dynamics() == nullptr ? "quasi-static" : "dynamic"},
+                {"heat", "adiabatic"},
+                {"material", scene.law->name()}};
+    summary["mesh"]     = {{"degree", scene.space->degree()},
+                           {"cells", scene.space->n_cells()},
+                           {"unknowns", scene.n_dofs()},
+                           {"contact_element", scene.contact_element_length()},
+                           {"penalty", scene.penalty()}};
+    summary["surfaces"] = {{"period", scene.length},
+                           {"tool", scene.tool_surface.description},
+                           {"chip", scene.chip_surface.description}};
+    json numbers;
+    for (const AuditEntry &entry : audit.entries)
+      numbers[entry.name] = entry.value;
+    summary["audit"]    = numbers;
+    summary["cost"]     = summarise_cost(run, scene, seconds_, wall_time);
+    summary["warnings"] = warnings;
+    write_summary(parameters.output.directory + "/summary.json", summary);
+  }
+} // namespace asperity

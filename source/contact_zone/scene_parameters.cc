@@ -1,0 +1,412 @@
+#include <asperity/base/errors.h>
+#include <asperity/contact_zone/scene_parameters.h>
+
+#include <set>
+
+namespace asperity
+{
+  void
+  SurfaceParameters::declare(ParameterDeclarator &parameters,
+                             const std::string   &section,
+                             const std::string   &whose)
+  {
+    const auto in_section = parameters.subsection(section);
+    parameters.choice(
+      "Kind",
+      kind,
+      {{"flat", SurfaceKind::flat},
+       {"harmonics", SurfaceKind::harmonics},
+       {"measured", SurfaceKind::measured}},
+      "Where the heights of the " + whose +
+        " come from: `flat`; `harmonics`, the sum of a_k cos(2 pi k x/L + "
+        "phi_k); `measured`, a profile of the height map named in the "
+        "subsection Topography.");
+    parameters.list("Wave numbers",
+                    wave_numbers,
+                    "1",
+                    Range::at_least(1.),
+                    "Harmonics: the numbers k of waves in a period.");
+    parameters.list("Amplitudes",
+                    amplitudes,
+                    "um",
+                    Range::any(),
+                    "Harmonics: a_k, one for each wave number.");
+    parameters.list("Phases",
+                    phases,
+                    "rad",
+                    Range::any(),
+                    "Harmonics: phi_k, one for each wave number.");
+    parameters.integer("Spline degree",
+                       degree,
+                       Range::between(3, 5),
+                       "Degree of the periodic spline; at least 3, so that the "
+                       "curvature of the surface is continuous.");
+    parameters.integer(
+      "Spline spans",
+      spans,
+      Range::between(8, 20000),
+      "Spans of the periodic spline over a period. "
+      "`automatic`: 40 for each period of the shortest "
+      "harmonic, one for each 2 points of a measured profile.");
+    const auto in_topography = parameters.subsection("Topography");
+    topography.declare(parameters);
+  }
+
+
+
+  void
+  SurfaceParameters::check(const ParameterDeclarator &parameters,
+                           const std::string         &section) const
+  {
+    if (kind != SurfaceKind::harmonics)
+      return;
+    if (wave_numbers.empty())
+      throw InputError(parameters.where(section + "/Wave numbers") +
+                       ": the list is empty; harmonics need at least one wave "
+                       "number.");
+    const auto same_length = [&](const std::vector<double> &list,
+                                 const std::string         &key) {
+      if (list.size() != wave_numbers.size())
+        throw InputError(parameters.where(section + "/" + key) + ": found " +
+                         std::to_string(list.size()) + " values; expected " +
+                         std::to_string(wave_numbers.size()) +
+                         ", one for each wave number.");
+    };
+    same_length(amplitudes, "Amplitudes");
+    same_length(phases, "Phases");
+    for (const double k : wave_numbers)
+      if (k != std::floor(k))
+        throw InputError(parameters.where(section + "/Wave numbers") +
+                         ": found " + format_number(k) +
+                         "; expected whole numbers, so that the surface is "
+                         "periodic.");
+  }
+
+
+
+  void
+  GeometryParameters::declare(ParameterDeclarator &parameters)
+  {
+    const auto in_section = parameters.subsection("Geometry");
+    parameters.quantity("Period",
+                        length,
+                        "um",
+                        Range::positive(),
+                        "L, the length of the chip block, over which tool and "
+                        "chip repeat. A measured tool brings its own length, "
+                        "and this entry is not used.");
+    parameters.quantity("Chip height",
+                        height,
+                        "um",
+                        Range::positive(),
+                        "H, the thickness of the chip block that is modelled.");
+    parameters.quantity("Initial gap",
+                        initial_gap,
+                        "um",
+                        Range::any(),
+                        "Smallest vertical distance between tool and chip at "
+                        "the start; a negative one would overlap and is "
+                        "refused.");
+  }
+
+
+
+  void
+  MeshParameters::declare(ParameterDeclarator &parameters)
+  {
+    const auto in_section = parameters.subsection("Mesh");
+    parameters.integer("Degree",
+                       degree,
+                       Range::between(1, 4),
+                       "Degree p of the splines; they are p - 1 times "
+                       "continuously differentiable.");
+    parameters.integer("Spans",
+                       spans,
+                       Range::between(4, 4096),
+                       "Bezier elements along the contact edge over a period.");
+    parameters.integer("Refinement levels",
+                       refinement,
+                       Range::between(0, 6),
+                       "Levels of hierarchical refinement between the bottom "
+                       "and the contact edge; each halves the element size. "
+                       "Spans must be a multiple of 2 to this power.");
+    parameters.quantity("Strip depth",
+                        strip,
+                        "um",
+                        Range::positive(),
+                        "Depth of the strip of finest elements below the "
+                        "contact edge; each coarser level reaches twice as "
+                        "deep.");
+    parameters.number("Row grading",
+                      grading,
+                      Range::at_least(1.),
+                      "Factor by which rows of the coarsest level grow with "
+                      "depth; 1 gives rows of one height.");
+    parameters.integer("Quadrature points",
+                       quadrature,
+                       Range::between(0, 10),
+                       "Gauss points in each direction of an element; 0 means "
+                       "degree + 1.");
+  }
+
+
+
+  void
+  LoadParameters::declare(ParameterDeclarator &parameters)
+  {
+    const auto in_section = parameters.subsection("Load");
+    parameters.quantity("Pressure",
+                        pressure,
+                        "MPa",
+                        Range::positive(),
+                        "p, the nominal contact pressure: vertical dead load "
+                        "on the bottom of the chip.");
+    parameters.quantity("Velocity",
+                        velocity,
+                        "m/min",
+                        Range::positive(),
+                        "v, with which the bottom of the chip slides in x.");
+    parameters.quantity("Temperature",
+                        temperature,
+                        "degC",
+                        Range::at_least(0.),
+                        "T, of the chip at the start.");
+    parameters.number("Plastic strain",
+                      plastic_strain,
+                      Range::between(0., 20.),
+                      "Equivalent plastic strain of the chip at the start, as "
+                      "the shear zone has left it.");
+  }
+
+
+
+  void
+  ProtocolParameters::declare(ParameterDeclarator &parameters)
+  {
+    const auto in_section = parameters.subsection("Protocol");
+    parameters.quantity("End time",
+                        end_time,
+                        "us",
+                        Range::positive(),
+                        "t_end. With the window `steady` it only sets the "
+                        "length of the load ramp.");
+    parameters.number("Ramp fraction",
+                      ramp_fraction,
+                      Range::between(0.001, 1.),
+                      "t_r/t_end: the pressure follows p/2 (1 - cos(pi "
+                      "t/t_r)) until t_r.");
+    parameters.integer("Ramp steps",
+                       ramp_steps,
+                       Range::between(1, 100000),
+                       "Time steps in the load ramp.");
+    parameters.integer("Slide steps",
+                       slide_steps,
+                       Range::between(1, 1000000),
+                       "Time steps from the end of the ramp to t_end.");
+    parameters.choice("Inertia",
+                      inertia,
+                      {{"automatic", Inertia::automatic},
+                       {"quasi-static", Inertia::quasi_static},
+                       {"dynamic", Inertia::dynamic}},
+                      "Whether the chip's mass counts: `automatic` follows the "
+                      "scene audit; `quasi-static`; `dynamic`, "
+                      "generalized-alpha as in the seed, the chip starting "
+                      "with velocity v.");
+    parameters.number("Spectral radius",
+                      spectral_radius,
+                      Range::between(0., 1.),
+                      "Dynamic runs: spectral radius of generalized-alpha at "
+                      "infinite frequency; 1 damps nothing.");
+    parameters.choice("Friction window",
+                      window,
+                      {{"time", FrictionWindow::time},
+                       {"steady", FrictionWindow::steady}},
+                      "Over what mu is averaged: `time`, the last part of "
+                      "t_end; `steady`, windows of sliding distance, until two "
+                      "in succession agree.");
+    parameters.number("Window fraction",
+                      window_fraction,
+                      Range::between(0.001, 1.),
+                      "Window `time`: the averaged last part of t_end.");
+    parameters.quantity("Steady distance",
+                        steady_distance,
+                        "um",
+                        Range::positive(),
+                        "Window `steady`: sliding distance of a window.");
+    parameters.quantity("Steady step",
+                        steady_step,
+                        "nm",
+                        Range::positive(),
+                        "Window `steady`: sliding distance of a time step.");
+    parameters.number("Steady tolerance",
+                      steady_tolerance,
+                      Range::positive(),
+                      "Window `steady`: relative change of mu between "
+                      "successive windows that ends the run.");
+    parameters.quantity("Maximum distance",
+                        maximum_distance,
+                        "um",
+                        Range::positive(),
+                        "Window `steady`: sliding distance at which the run "
+                        "ends with a warning if mu is not steady.");
+  }
+
+
+
+  void
+  ContactParameters::declare(ParameterDeclarator &parameters)
+  {
+    const auto in_section = parameters.subsection("Contact");
+    parameters.choice("Formulation",
+                      formulation,
+                      {{"mortar", ContactFormulation::mortar},
+                       {"gauss-point", ContactFormulation::gauss_point}},
+                      "`mortar`: knot to surface, a pressure for each control "
+                      "point; `gauss-point`: a pressure for each quadrature "
+                      "point.");
+    parameters.number("Penalty factor",
+                      penalty_factor,
+                      Range::positive(),
+                      "c in the penalty epsilon = c E/h, h the element length "
+                      "at the contact edge.");
+    parameters.quantity("Penalty",
+                        penalty,
+                        "Pa/m",
+                        Range::positive(),
+                        "epsilon itself; `automatic` takes c E/h.");
+    parameters.integer("Quadrature points",
+                       quadrature,
+                       Range::between(0, 20),
+                       "Gauss points on each element of the contact edge; 0 "
+                       "means degree + 2.");
+    parameters.integer("Augmentations",
+                       augmentations,
+                       Range::between(0, 100),
+                       "Passes of the augmented-Lagrange loop in a step; 0 "
+                       "leaves the penalty alone.");
+    parameters.quantity("Penetration tolerance",
+                        penetration_tolerance,
+                        "nm",
+                        Range::positive(),
+                        "The augmented-Lagrange loop ends below this largest "
+                        "penetration.");
+  }
+
+
+
+  void
+  SolverParameters::declare(ParameterDeclarator &parameters)
+  {
+    const auto in_section = parameters.subsection("Solver");
+    parameters.number("Tolerance",
+                      tolerance,
+                      Range::between(1e-12, 0.1),
+                      "Euclidean norm of the residual over p L at which "
+                      "Newton's method ends.");
+    parameters.integer("Maximum iterations",
+                       maximum_iterations,
+                       Range::between(1, 1000),
+                       "Newton iterations before the step is cut.");
+    parameters.integer("Maximum cuts",
+                       maximum_cuts,
+                       Range::between(0, 30),
+                       "How often a step is halved before the run gives up.");
+    parameters.choice("Linear solver",
+                      linear_solver,
+                      {{"umfpack", DirectSolverKind::umfpack},
+                       {"klu", DirectSolverKind::klu},
+                       {"mumps", DirectSolverKind::mumps}},
+                      "Direct solver of the tangent: `umfpack` is the fastest "
+                      "at the size of these scenes; `klu` and `mumps` for "
+                      "comparison.");
+  }
+
+
+
+  void
+  OutputParameters::declare(ParameterDeclarator &parameters)
+  {
+    const auto in_section = parameters.subsection("Output");
+    parameters.text("Output directory",
+                    directory,
+                    "Folder of the results, made if it does not exist.");
+    parameters.integer("Picture interval",
+                       picture_interval,
+                       Range::between(0, 1000000),
+                       "Steps between VTU files; 0 writes only the end.");
+    parameters.integer("Checkpoint interval",
+                       checkpoint_interval,
+                       Range::between(0, 1000000),
+                       "Steps between checkpoints; 0 writes none.");
+    parameters.integer("Subdivisions",
+                       subdivisions,
+                       Range::between(1, 10),
+                       "Pieces into which pictures divide an element in each "
+                       "direction.");
+    parameters.flag(
+      "Restart",
+      restart,
+      "Go on from the newest checkpoint of the output directory.");
+  }
+
+
+
+  SceneParameters::SceneParameters()
+  {
+    tool.kind = SurfaceKind::harmonics;
+    // The reference scene R0.
+    tool.wave_numbers = {1, 2, 3, 4, 5, 6};
+    tool.amplitudes   = {0.16e-6, 0.12e-6, 0.09e-6, 0.06e-6, 0.04e-6, 0.02e-6};
+    tool.phases       = {0.3, 1.9, 4.1, 5.2, 0.9, 2.6};
+  }
+
+
+
+  void
+  SceneParameters::declare(ParameterDeclarator &parameters)
+  {
+    geometry.declare(parameters);
+    tool.declare(parameters, "Tool", "tool");
+    chip.declare(parameters, "Chip surface", "chip");
+    mesh.declare(parameters);
+    material.declare(parameters);
+    load.declare(parameters);
+    protocol.declare(parameters);
+    contact.declare(parameters);
+    solver.declare(parameters);
+    output.declare(parameters);
+  }
+
+
+
+  void
+  SceneParameters::check(const ParameterDeclarator &parameters) const
+  {
+    tool.check(parameters, "Tool");
+    chip.check(parameters, "Chip surface");
+    if (geometry.initial_gap < 0.)
+      throw InputError(parameters.where("Geometry/Initial gap") + ": found " +
+                       format_quantity(geometry.initial_gap, "um") +
+                       ", so that tool and chip overlap at the start; expected "
+                       "a gap >= 0 um.");
+    if (mesh.spans % (1u << mesh.refinement) != 0)
+      throw InputError(parameters.where("Mesh/Spans") + ": found " +
+                       std::to_string(mesh.spans) +
+                       "; expected a multiple of " +
+                       std::to_string(1u << mesh.refinement) +
+                       ", 2 to the power of the refinement levels.");
+    if (mesh.spans >> mesh.refinement < 2 * mesh.degree + 2)
+      throw InputError(
+        parameters.where("Mesh/Spans") + ": found " +
+        std::to_string(mesh.spans) + " with " +
+        std::to_string(mesh.refinement) +
+        " refinement levels; expected at least " +
+        std::to_string((2 * mesh.degree + 2) << mesh.refinement) +
+        ", so that the coarsest level has 2 p + 2 spans.");
+    if (mesh.strip >= geometry.height)
+      throw InputError(parameters.where("Mesh/Strip depth") + ": found " +
+                       format_quantity(mesh.strip, "um") +
+                       "; expected less than the chip height of " +
+                       format_quantity(geometry.height, "um") + ".");
+  }
+} // namespace asperity

@@ -1,0 +1,334 @@
+#include <asperity/base/errors.h>
+#include <asperity/contact_zone/sliding_run.h>
+
+#include <deal.II/base/timer.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity
+{
+  using Vector = dealii::Vector<double>;
+
+  SlidingRun::SlidingRun(const SceneParameters &parameters, Scene &scene)
+    : parameters(parameters)
+    , scene(scene)
+    , protocol_(parameters.load, parameters.protocol)
+  {
+    state_.u.reinit(scene.n_dofs());
+    state_.u_previous.reinit(scene.n_dofs());
+    state_.rows.emplace_back();
+    state_.rows.back().max_temperature    = parameters.load.temperature;
+    state_.rows.back().max_plastic_strain = parameters.load.plastic_strain;
+    if (parameters.protocol.inertia != Inertia::dynamic)
+      return;
+    dynamics_ =
+      std::make_unique<GeneralizedAlpha>(parameters.protocol.spectral_radius);
+    dynamics_->u.reinit(scene.n_dofs());
+    dynamics_->v = scene.translation(parameters.load.velocity, 0.);
+    dynamics_->a.reinit(scene.n_dofs());
+    old_forces.reinit(scene.n_dofs());
+    mass = scene.equilibrium->make_matrix();
+    scene.chip->assemble_mass(*mass);
+  }
+
+
+
+  void
+  SlidingRun::run(const Observer &observer)
+  {
+    while (!finished())
+      {
+        dealii::Timer timer;
+        const double  target = protocol_.next_time(state_.time);
+        double        dt     = target - state_.time;
+        std::string   reason;
+        unsigned int  halvings = 0;
+        while (!try_step(dt, reason))
+          {
+            ++cuts;
+            if (++halvings > parameters.solver.maximum_cuts)
+              throw ComputationError(
+                "Step " + std::to_string(state_.step + 1) + " at t = " +
+                format_quantity(state_.time, "us", 4) + " failed after " +
+                std::to_string(halvings - 1) + " cuts, at a step of " +
+                format_quantity(dt, "ns", 3) + ": " + reason + ".");
+            dt *= 0.5;
+          }
+        record(timer.wall_time());
+        observer(*this);
+      }
+  }
+
+
+
+  bool
+  SlidingRun::finished() const
+  {
+    if (state_.time >= protocol_.end_time() * (1. - 1e-9))
+      return true;
+    return parameters.protocol.window == FrictionWindow::steady && is_steady();
+  }
+
+
+
+  bool
+  SlidingRun::is_steady() const
+  {
+    const double window = parameters.protocol.steady_distance;
+    const double slid   = state_.rows.back().sliding_distance;
+    const double v      = parameters.load.velocity;
+    if (state_.time - 2. * window / v < protocol_.ramp_time())
+      return false;
+    const auto mean = [&](const double from, const double to) {
+      return average_friction(state_.rows, from / v, to / v).mu;
+    };
+    const double last   = mean(slid - window, slid),
+                 before = mean(slid - 2. * window, slid - window);
+    return std::abs(last - before) <=
+           parameters.protocol.steady_tolerance * last;
+  }
+
+
+
+  bool
+  SlidingRun::try_step(const double dt, std::string &reason)
+  {
+    const std::vector<double> multipliers = scene.contact->multipliers();
+    scene.chip->set_time_step(dt);
+    Vector load = scene.bottom_load();
+    load *= protocol_.pressure(state_.time + dt);
+    scene.equilibrium->set_load(load);
+    set_inertia(dt);
+    for (Vector &u : predictors(dt))
+      {
+        const ConvergenceReport report = solve(u);
+        if (report.converged)
+          {
+            accept(u, dt);
+            return true;
+          }
+        reason = report.reason;
+        scene.contact->set_multipliers(multipliers);
+      }
+    return false;
+  }
+
+
+
+  ConvergenceReport
+  SlidingRun::solve(Vector &u)
+  {
+    NewtonOptions options;
+    options.maximum_iterations = parameters.solver.maximum_iterations;
+    options.tolerance =
+      parameters.solver.tolerance * parameters.load.pressure * scene.length;
+    ConvergenceReport report =
+      newton(*scene.equilibrium, u, options, statistics);
+    for (unsigned int k = 0;
+         k < parameters.contact.augmentations && report.converged &&
+         scene.contact->state().max_penetration >
+           parameters.contact.penetration_tolerance;
+         ++k)
+      {
+        scene.contact->augment();
+        report = newton(*scene.equilibrium, u, options, statistics);
+      }
+    return report;
+  }
+
+
+
+  std::vector<Vector>
+  SlidingRun::predictors(const double dt) const
+  {
+    const double        x  = protocol_.displacement(state_.time + dt);
+    const double        dx = x - protocol_.displacement(state_.time);
+    std::vector<Vector> list;
+    if (dynamics_)
+      list.push_back(dynamics_->predict(dt));
+    else if (state_.step == 0)
+      list.push_back(scene.translation(
+        x, touching_shift(protocol_.pressure(state_.time + dt), x)));
+    else
+      {
+        if (state_.step > 1)
+          {
+            Vector u = state_.u;
+            u.sadd(1. + dt / state_.dt_previous,
+                   -dt / state_.dt_previous,
+                   state_.u_previous);
+            list.push_back(u);
+          }
+        Vector u = state_.u;
+        u += scene.translation(dx, 0.);
+        list.push_back(u);
+      }
+    for (Vector &u : list)
+      for (unsigned int i = 0; i < u.size(); ++i)
+        if (scene.is_prescribed()[i])
+          u(i) = x;
+    return list;
+  }
+
+
+
+  double
+  SlidingRun::touching_shift(const double pressure, const double x) const
+  {
+    Vector     residual(scene.n_dofs());
+    const auto supports = [&](const double shift) {
+      scene.contact->add(scene.translation(x, shift), residual, nullptr);
+      return -scene.contact->state().force[1] >= pressure * scene.length;
+    };
+    double low = 0., high = 1e-3 * scene.length;
+    while (!supports(high) && high < 1e3 * scene.length)
+      high *= 2.;
+    for (unsigned int i = 0; i < 60; ++i)
+      (supports(0.5 * (low + high)) ? high : low) = 0.5 * (low + high);
+    return high;
+  }
+
+
+
+  void
+  SlidingRun::set_inertia(const double dt)
+  {
+    if (!dynamics_)
+      return;
+    // M (m u + b) + (1 - alpha_f) f(u) + alpha_f f_n
+    Vector constant(scene.n_dofs());
+    mass->vmult(constant, dynamics_->constant(dt));
+    constant.add(dynamics_->alpha_f(), old_forces);
+    scene.equilibrium->set_inertia(mass.get(),
+                                   dynamics_->mass_factor(dt),
+                                   constant,
+                                   1. - dynamics_->alpha_f());
+  }
+
+
+
+  void
+  SlidingRun::accept(const Vector &u, const double dt)
+  {
+    if (dynamics_)
+      {
+        // Before the history moves on: the forces belong to this step.
+        scene.equilibrium->forces(u, old_forces);
+        old_forces.add(-protocol_.pressure(state_.time + dt),
+                       scene.bottom_load());
+        dynamics_->advance(u, dt);
+      }
+    scene.chip->accept();
+    state_.u_previous  = state_.u;
+    state_.dt_previous = dt;
+    state_.u           = u;
+    state_.time += dt;
+    ++state_.step;
+    // Rounding must not leave a sliver of a step at the end.
+    if (std::abs(state_.time - protocol_.end_time()) <
+        1e-9 * protocol_.end_time())
+      state_.time = protocol_.end_time();
+  }
+
+
+
+  void
+  SlidingRun::record(const double seconds)
+  {
+    const ContactState contact = scene.contact->state();
+    FrictionRow        row;
+    row.step                 = state_.step;
+    row.time                 = state_.time;
+    row.sliding_distance     = protocol_.displacement(state_.time);
+    row.T_x                  = contact.force[0];
+    row.T_y                  = contact.force[1];
+    row.mu                   = row.T_y != 0. ? std::abs(row.T_x / row.T_y) : 0.;
+    row.contact_fraction     = contact.contact_fraction;
+    row.max_contact_pressure = contact.max_pressure;
+    row.max_penetration      = std::max(0., contact.max_penetration);
+    row.mean_gap             = contact.mean_gap;
+    for (const MaterialState &point : scene.chip->history())
+      {
+        row.max_plastic_strain =
+          std::max(row.max_plastic_strain, point.plastic_strain);
+        row.max_temperature = std::max(row.max_temperature, point.temperature);
+      }
+    unsigned int iterations = 0, factorisations = 0;
+    for (const FrictionRow &earlier : state_.rows)
+      {
+        iterations += earlier.newton_iterations;
+        factorisations += earlier.factorisations;
+      }
+    row.newton_iterations = statistics.iterations - iterations;
+    row.factorisations =
+      scene.equilibrium->cost().factorisations - factorisations;
+    row.wall_time = seconds;
+    state_.rows.push_back(row);
+  }
+
+
+
+  FrictionResult
+  SlidingRun::friction() const
+  {
+    const double end   = state_.time;
+    const double begin = parameters.protocol.window == FrictionWindow::time ?
+                           (1. - parameters.protocol.window_fraction) * end :
+                           std::max(0.,
+                                    end - parameters.protocol.steady_distance /
+                                            parameters.load.velocity);
+    return average_friction(state_.rows, begin, end);
+  }
+
+
+
+  const RunState &
+  SlidingRun::state() const
+  {
+    return state_;
+  }
+
+
+
+  void
+  SlidingRun::set_state(const RunState &state)
+  {
+    state_ = state;
+    // The counts go on from those of the rows.
+    for (const FrictionRow &row : state.rows)
+      statistics.iterations += row.newton_iterations;
+  }
+
+
+
+  GeneralizedAlpha *
+  SlidingRun::dynamics() const
+  {
+    return dynamics_.get();
+  }
+
+
+
+  const LoadProtocol &
+  SlidingRun::protocol() const
+  {
+    return protocol_;
+  }
+
+
+
+  const NewtonStatistics &
+  SlidingRun::newton_statistics() const
+  {
+    return statistics;
+  }
+
+
+
+  unsigned int
+  SlidingRun::n_cuts() const
+  {
+    return cuts;
+  }
+} // namespace asperity

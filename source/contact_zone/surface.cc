@@ -1,0 +1,186 @@
+#include <asperity/base/errors.h>
+#include <asperity/contact_zone/surface.h>
+#include <asperity/splines/spline_fit.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace asperity
+{
+  namespace
+  {
+    /** Smallest value of a smooth periodic function: the best of a fine grid,
+     *  then golden-section search between its neighbours. */
+    double
+    periodic_minimum(const std::function<double(double)> &f,
+                     const double                         period,
+                     const unsigned int                   n)
+    {
+      unsigned int best = 0;
+      for (unsigned int i = 1; i < n; ++i)
+        if (f(period * i / n) < f(period * best / n))
+          best = i;
+      const double ratio = 0.5 * (std::sqrt(5.) - 1.);
+      double       a = period * (best - 1.) / n, b = period * (best + 1.) / n;
+      for (unsigned int i = 0; i < 60; ++i)
+        {
+          const double c = b - ratio * (b - a), d = a + ratio * (b - a);
+          (f(c) < f(d) ? b : a) = (f(c) < f(d) ? d : c);
+        }
+      return f(0.5 * (a + b));
+    }
+
+    unsigned int
+    search_points(const Surface &surface)
+    {
+      return 8 * surface.curve.knot_vector().n_spans();
+    }
+
+    Surface
+    make_flat(const double length, const unsigned int degree)
+    {
+      Surface surface;
+      surface.period = length;
+      surface.curve  = interpolate_periodic_function(
+        [](const double) { return 0.; }, 0., length, 2 * degree + 2, degree);
+      surface.description = "flat";
+      return surface;
+    }
+
+    Surface
+    make_harmonics(const SurfaceParameters &parameters, const double length)
+    {
+      const double highest = *std::max_element(parameters.wave_numbers.begin(),
+                                               parameters.wave_numbers.end());
+      Surface      surface;
+      surface.period = length;
+      surface.curve  = interpolate_periodic_function(
+        [&](const double x) {
+          double y = 0.;
+          for (std::size_t k = 0; k < parameters.amplitudes.size(); ++k)
+            y += parameters.amplitudes[k] *
+                 std::cos(2. * M_PI * parameters.wave_numbers[k] * x / length +
+                          parameters.phases[k]);
+          return y;
+        },
+        0.,
+        length,
+        parameters.spans.value_or(40 * static_cast<unsigned int>(highest)),
+        parameters.degree);
+      surface.description =
+        std::to_string(parameters.amplitudes.size()) + " harmonics";
+      return surface;
+    }
+
+    Surface
+    make_measured(const SurfaceParameters &parameters)
+    {
+      Surface       surface;
+      const Profile profile =
+        make_profile(parameters.topography, surface.topography.emplace());
+      if (!profile.periodic)
+        throw InputError(parameters.topography.file +
+                         ": the profile is not periodic; choose a periodic "
+                         "continuation.");
+      const std::size_t   n = profile.heights.size();
+      std::vector<double> x(n);
+      for (std::size_t i = 0; i < n; ++i)
+        x[i] = i * profile.spacing;
+      surface.period = profile.length();
+      const SplineFit fit =
+        fit_periodic_graph(x,
+                           profile.heights,
+                           surface.period,
+                           parameters.spans.value_or(
+                             std::max<std::size_t>(8, n / 2)),
+                           parameters.degree);
+      surface.curve       = fit.curve;
+      surface.fit_rms     = fit.report.rms_error;
+      surface.description = "profile of " + parameters.topography.file + ", " +
+                            std::to_string(n) + " points";
+      return surface;
+    }
+  } // namespace
+
+
+
+  Surface
+  make_surface(const SurfaceParameters &parameters, const double length)
+  {
+    switch (parameters.kind)
+      {
+        case SurfaceKind::harmonics:
+          return make_harmonics(parameters, length);
+        case SurfaceKind::measured:
+          return make_measured(parameters);
+        default:
+          return make_flat(length, parameters.degree);
+      }
+  }
+
+
+
+  double
+  Surface::height(const double x) const
+  {
+    return curve.value(x)[1];
+  }
+
+
+
+  double
+  Surface::minimum() const
+  {
+    return periodic_minimum([this](const double x) { return height(x); },
+                            period,
+                            search_points(*this));
+  }
+
+
+
+  double
+  Surface::maximum() const
+  {
+    return -periodic_minimum([this](const double x) { return -height(x); },
+                             period,
+                             search_points(*this));
+  }
+
+
+
+  double
+  Surface::largest_slope() const
+  {
+    return -periodic_minimum(
+      [this](const double x) {
+        return -std::abs(curve.derivatives(x, 1)[1][1]);
+      },
+      period,
+      search_points(*this));
+  }
+
+
+
+  Surface
+  Surface::mapped(const double factor, const double offset) const
+  {
+    Surface surface = *this;
+    auto    points  = curve.control_points();
+    for (auto &point : points)
+      point[1] = factor * point[1] + offset;
+    surface.curve.set_control_points(points);
+    return surface;
+  }
+
+
+
+  double
+  smallest_gap(const Surface &lower, const Surface &upper)
+  {
+    return periodic_minimum(
+      [&](const double x) { return upper.height(x) - lower.height(x); },
+      lower.period,
+      std::max(search_points(lower), search_points(upper)));
+  }
+} // namespace asperity
