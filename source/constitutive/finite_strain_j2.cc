@@ -69,8 +69,8 @@ namespace asperity
     // q = sqrt(3/2) |2 mu dev eps|
     const double trial_stress =
       shear_modulus * std::sqrt(6. * hencky::contract(e, e));
-    double stress  = trial_stress; // q
-    double slope   = 1.;           // dq/dq_trial
+    double ratio   = 1.; // q/q_trial
+    double slope   = 1.; // dq/dq_trial
     response.mises = trial_stress;
 
     const double static_flow_stress =
@@ -91,18 +91,16 @@ namespace asperity
             response.status = LawStatus::no_return;
             return;
           }
-        stress           = solution.stress;
+        ratio            = solution.stress / trial_stress;
         slope            = solution.slope;
-        response.mises   = stress;
+        response.mises   = solution.stress;
         response.plastic = true;
         response.state.plastic_strain += solution.increment;
         response.state.temperature = solution.temperature;
-        response.state.Cp_inverse =
-          hencky::updated_Cp_inverse(t, e, stress / trial_stress);
+        response.state.Cp_inverse  = hencky::updated_Cp_inverse(t, e, ratio);
       }
 
-    const double ratio = response.plastic ? stress / trial_stress : 1.;
-    response.P         = hencky::first_piola_kirchhoff(
+    response.P = hencky::first_piola_kirchhoff(
       hencky::isotropic_stress(bulk_modulus * t.trace,
                                2. * shear_modulus * ratio,
                                e),
