@@ -37,6 +37,14 @@ namespace asperity
       throw InputError("The surface file '" + file + "' is empty.");
   }
 
+  FileContent::FileContent(const std::string &name, const std::string &bytes)
+    : file(name)
+    , content(bytes)
+  {
+    if (content.empty())
+      throw InputError("The surface file '" + file + "' is empty.");
+  }
+
   std::string
   FileContent::field(const std::size_t offset, const std::size_t length) const
   {

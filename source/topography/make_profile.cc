@@ -93,27 +93,29 @@ namespace asperity
         throw InputError("The entry '" + entry + "' = '" + text +
                          "' is no range; all, 60 .. 195 or 380 um .. 1250 um "
                          "is expected.");
-      const auto index = [&](const std::string &part) {
+      bool       is_length = false;
+      const auto index     = [&](const std::string &part) {
+        is_length = part.find_first_not_of("0123456789") != std::string::npos;
         return parse_entry(entry, text, [&]() {
-          const bool is_index =
-            part.find_first_not_of("0123456789 ") == std::string::npos;
-          return is_index ? parse_quantity(part, Dimension::none) :
-                            std::round(parse_quantity(part, Dimension::length) /
-                                       spacing);
+          return is_length ?
+                       std::round(parse_quantity(part, Dimension::length) /
+                              spacing) :
+                       parse_quantity(part, Dimension::none);
         });
       };
       const double first = index(trim(text.substr(0, dots)));
-      const double last  = index(trim(text.substr(dots + 2)));
-      if (!(first >= 0. && last > first && last < n + 0.5))
+      double       last  = index(trim(text.substr(dots + 2)));
+      // A length may name the outer edge of the map, one beyond the last.
+      if (is_length && last == n)
+        last = n - 1.;
+      if (!(first >= 0. && last > first && last < n))
         throw InputError("The entry '" + entry + "' = '" + text +
                          "' is empty or leaves the map, which has the samples "
                          "0 .. " +
                          std::to_string(n - 1) + " over " +
                          micrometres(n * spacing) + ".");
       const auto begin = static_cast<unsigned int>(first);
-      // A length may name the outer edge of the map, one beyond the last.
-      return {begin,
-              std::min(static_cast<unsigned int>(last), n - 1) - begin + 1};
+      return {begin, static_cast<unsigned int>(last) - begin + 1};
     }
 
     Window

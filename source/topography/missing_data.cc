@@ -1,4 +1,5 @@
 #include <asperity/base/errors.h>
+#include <asperity/topography/form_removal.h>
 #include <asperity/topography/missing_data.h>
 
 #include <algorithm>
@@ -15,15 +16,21 @@ namespace asperity
         return 0.;
       const auto middle = values.begin() + values.size() / 2;
       std::nth_element(values.begin(), middle, values.end());
-      return *middle;
+      if (values.size() % 2 == 1)
+        return *middle;
+      return 0.5 * (*middle + *std::max_element(values.begin(), middle));
     }
 
-    /** Median of the valid points around (column, row), itself included. */
+    /**
+     * Median of the valid points around (column, row) without itself: on a
+     * smooth slope the point would be its own median, and half of all
+     * differences zero. A point without neighbours returns its own height.
+     */
     double
-    local_median(const HeightMap     &map,
-                 const int            column,
-                 const int            row,
-                 std::vector<double> &buffer)
+    median_of_neighbours(const HeightMap     &map,
+                         const int            column,
+                         const int            row,
+                         std::vector<double> &buffer)
     {
       constexpr int reach = 2;
       buffer.clear();
@@ -33,9 +40,9 @@ namespace asperity
         for (int i = std::max(0, column - reach);
              i <= std::min<int>(map.nx - 1, column + reach);
              ++i)
-          if (!std::isnan(map(i, j)))
+          if (!std::isnan(map(i, j)) && (i != column || j != row))
             buffer.push_back(map(i, j));
-      return median(buffer);
+      return buffer.empty() ? map(column, row) : median(buffer);
     }
   } // namespace
 
@@ -102,13 +109,16 @@ namespace asperity
   std::size_t
   remove_spikes(HeightMap &map, const double threshold)
   {
+    // Windows at the edges are one-sided, so that a tilt would stand out there.
+    HeightMap level = map;
+    remove_form(level, 1);
     std::vector<double> difference(map.heights.size(), 0.), absolute, buffer;
     for (unsigned int j = 0; j < map.ny; ++j)
       for (unsigned int i = 0; i < map.nx; ++i)
-        if (!std::isnan(map(i, j)))
+        if (!std::isnan(level(i, j)))
           {
             const double d =
-              std::abs(map(i, j) - local_median(map, i, j, buffer));
+              std::abs(level(i, j) - median_of_neighbours(level, i, j, buffer));
             difference[std::size_t(j) * map.nx + i] = d;
             absolute.push_back(d);
           }

@@ -28,7 +28,7 @@ namespace asperity
   HeightMap
   read_plux(const FileContent &file, const ReadOptions &)
   {
-    const ZipArchive  archive(file.name(), format);
+    const ZipArchive  archive(file, format);
     const std::string index = archive.find("index.xml");
     const std::string layer = archive.find("LAYER_0.raw");
     if (index.empty() || layer.empty())

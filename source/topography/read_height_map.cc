@@ -26,7 +26,7 @@ namespace asperity
     HeightMap
     read_archive(const FileContent &file, const ReadOptions &options)
     {
-      const ZipArchive archive(file.name(), "X3P or PLUX");
+      const ZipArchive archive(file, "X3P or PLUX");
       if (!archive.find("main.xml").empty())
         return read_x3p(file, options);
       if (!archive.find("index.xml").empty())
@@ -59,12 +59,17 @@ namespace asperity
   } // namespace
 
   HeightMap
-  read_height_map(const std::string &file_name, const ReadOptions &options)
+  read_height_map(const FileContent &file, const ReadOptions &options)
   {
-    const FileContent file(file_name);
-    HeightMap         map = read_by_content(file, options);
+    HeightMap map = read_by_content(file, options);
     if (map.n_valid() == 0)
       file.fail(map.provenance.format, "holds no valid height");
     return map;
+  }
+
+  HeightMap
+  read_height_map(const std::string &file, const ReadOptions &options)
+  {
+    return read_height_map(FileContent(file), options);
   }
 } // namespace asperity

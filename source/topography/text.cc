@@ -214,7 +214,7 @@ namespace asperity
       x = distinct(x);
       y = distinct(y);
       return (y.size() == 1 || regular_step(y) > 0.) && regular_step(x) > 0. &&
-             x.size() * y.size() < 2 * rows.size() + 4;
+             x.size() * y.size() < 2 * rows.size();
     }
 
     HeightMap

@@ -33,12 +33,12 @@ namespace asperity
     axis("CX", "I", map.dx);
     axis("CY", "I", map.dy);
     axis("CZ", "A", 1.);
-    root.put("Record2.Date", "1980-01-01T00:00:00");
+    root.put("Record2.Date", "1970-01-01T00:00:00");
     root.put("Record2.Instrument.Manufacturer", "not available");
     root.put("Record2.Instrument.Model", "not available");
     root.put("Record2.Instrument.Serial", "not available");
     root.put("Record2.Instrument.Version", "not available");
-    root.put("Record2.CalibrationDate", "1980-01-01T00:00:00");
+    root.put("Record2.CalibrationDate", "1970-01-01T00:00:00");
     root.put("Record2.ProbingSystem.Type", "NonContacting");
     root.put("Record2.ProbingSystem.Identification", "not available");
     root.put("Record2.Comment", map.provenance.description);

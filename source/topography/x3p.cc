@@ -199,7 +199,9 @@ namespace asperity
                               "Record2.Comment"})
         {
           const auto part = strip(root.get<std::string>(key, ""));
-          if (!part.empty() && part != "not available")
+          // The epoch stands for an unknown date.
+          if (!part.empty() && part != "not available" &&
+              part != "1970-01-01T00:00:00")
             text += (text.empty() ? "" : "; ") + part;
         }
       return text;
@@ -286,7 +288,7 @@ namespace asperity
   HeightMap
   read_x3p(const FileContent &file, const ReadOptions &options)
   {
-    const ZipArchive  archive(file.name(), format);
+    const ZipArchive  archive(file, format);
     const std::string main_xml = archive.find("main.xml");
     if (main_xml.empty())
       file.fail(format, "is a ZIP archive without a main.xml");

@@ -18,14 +18,22 @@ namespace asperity
     }
   } // namespace
 
-  ZipArchive::ZipArchive(const std::string &file, const std::string &format)
+  ZipArchive::ZipArchive(const FileContent &file, const std::string &format)
     : file(file)
     , format(format)
-    , handle(unzOpen64(file.c_str()))
   {
+    const std::string reason =
+      "is cut off or damaged: the table of contents of the ZIP archive was "
+      "not found";
+    // minizip opens an archive that lacks the last bytes of its end record.
+    const std::string &bytes = file.bytes();
+    const auto         end   = bytes.rfind("PK\x05\x06");
+    if (end == std::string::npos || bytes.size() - end < 22 ||
+        bytes.size() - end - 22u < file.number<std::uint16_t>(end + 20))
+      file.fail(format, reason);
+    handle = unzOpen64(file.name().c_str());
     if (handle == nullptr)
-      fail("is cut off or damaged: the table of contents of the ZIP archive "
-           "was not found");
+      file.fail(format, reason);
     // A broken table of contents may run in circles.
     constexpr unsigned int max_entries = 10000;
     for (int status = unzGoToFirstFile(handle);
@@ -48,13 +56,6 @@ namespace asperity
       unzClose(handle);
   }
 
-  void
-  ZipArchive::fail(const std::string &reason) const
-  {
-    throw InputError("The surface file '" + file + "' (" + format + ") " +
-                     reason + ".");
-  }
-
   std::string
   ZipArchive::find(const std::string &tail) const
   {
@@ -74,7 +75,7 @@ namespace asperity
   {
     if (unzLocateFile(handle, entry.c_str(), 1) != UNZ_OK ||
         unzOpenCurrentFile(handle) != UNZ_OK)
-      fail("holds no readable '" + entry + "'");
+      file.fail(format, "holds no readable '" + entry + "'");
 
     // In blocks, since the stated size may be anything.
     std::string bytes;
@@ -86,14 +87,16 @@ namespace asperity
         if (bytes.size() > max_size)
           {
             unzCloseCurrentFile(handle);
-            fail("holds more than the expected " + std::to_string(max_size) +
-                 " bytes in '" + entry + "'");
+            file.fail(format,
+                      "holds more than the expected " +
+                        std::to_string(max_size) + " bytes in '" + entry + "'");
           }
       }
     const int closed = unzCloseCurrentFile(handle);
     if (n < 0 || closed != UNZ_OK)
-      fail("is damaged: the checksum or the compressed data of '" + entry +
-           "' is wrong");
+      file.fail(format,
+                "is damaged: the checksum or the compressed data of '" + entry +
+                  "' is wrong");
     return bytes;
   }
 

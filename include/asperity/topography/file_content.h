@@ -22,6 +22,9 @@ namespace asperity
     /** @throw InputError if the file is missing, unreadable or empty. */
     explicit FileContent(const std::string &file);
 
+    /** Bytes that lie in memory; archives have to be files. */
+    FileContent(const std::string &name, const std::string &bytes);
+
     const std::string &
     name() const
     {
@@ -97,6 +100,10 @@ namespace asperity
   /** Text without blanks, line ends and NULs around it. */
   std::string
   strip(const std::string &text);
+
+  /** As read_height_map() of a file. */
+  HeightMap
+  read_height_map(const FileContent &file, const ReadOptions &options);
 
   // One reader a format; see read_height_map().
   HeightMap

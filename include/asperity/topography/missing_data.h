@@ -25,10 +25,10 @@ namespace asperity
   crop(const HeightMap &map, const Window &window);
 
   /**
-   * Declare spikes missing: points that differ from the median of their
-   * 5 x 5 neighbourhood by more than @p threshold times the robust standard
-   * deviation (1.4826 times the median of the absolute differences) of the
-   * whole map. Returns how many.
+   * Declare spikes missing: points that (after removal of a plane) differ from
+   * the median of their up to 24 neighbours by more than @p threshold times the
+   * robust standard deviation (1.4826 times the median of the absolute
+   * differences) of the whole map. Returns how many.
    */
   std::size_t
   remove_spikes(HeightMap &map, const double threshold);

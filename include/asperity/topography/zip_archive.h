@@ -1,6 +1,8 @@
 #ifndef asperity_topography_zip_archive_h
 #define asperity_topography_zip_archive_h
 
+#include <asperity/topography/file_content.h>
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -9,13 +11,13 @@ namespace asperity
 {
   /**
    * The entries of a ZIP archive (X3P and PLUX files), read one by one through
-   * minizip.
+   * minizip. The @p file has to outlive it.
    */
   class ZipArchive
   {
   public:
     /** @throw InputError if @p file is no complete archive. */
-    ZipArchive(const std::string &file, const std::string &format);
+    ZipArchive(const FileContent &file, const std::string &format);
     ~ZipArchive();
     ZipArchive(const ZipArchive &) = delete;
     ZipArchive &
@@ -37,10 +39,7 @@ namespace asperity
     read(const std::string &entry, const std::size_t max_size) const;
 
   private:
-    [[noreturn]] void
-    fail(const std::string &reason) const;
-
-    std::string              file;
+    const FileContent       &file;
     std::string              format;
     void                    *handle = nullptr;
     std::vector<std::string> names;

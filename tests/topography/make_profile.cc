@@ -1,0 +1,219 @@
+#include <asperity/base/errors.h>
+#include <asperity/base/parameters.h>
+#include <asperity/topography/commands.h>
+#include <asperity/topography/make_profile.h>
+#include <asperity/topography/png_image.h>
+#include <asperity/topography/read_height_map.h>
+#include <asperity/topography/report_output.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <nlohmann/json.hpp>
+
+#include "topography_test_tools.h"
+
+using namespace asperity;
+using namespace asperity_test;
+
+namespace
+{
+  const double pi = std::acos(-1.);
+
+  /** Tilted waves of 10 um along x, 100 x 60 um, with one hole. */
+  std::string
+  wavy_file()
+  {
+    auto map    = make_map(200, 120, 0.5e-6, 0.5e-6, [](double x, double y) {
+      return 1e-3 + 0.05 * x - 0.02 * y +
+             0.4e-6 * std::sin(2. * pi * x / 10e-6);
+    });
+    map(3, 110) = missing_height;
+    const auto file = write_bytes("wavy.x3p", "");
+    write_x3p(map, file);
+    return file;
+  }
+
+  TopographyParameters
+  parse(const std::string &entries)
+  {
+    dealii::ParameterHandler handler;
+    ParameterDeclarator      declarator(handler);
+    TopographyParameters     parameters;
+    parameters.declare(declarator);
+    declarator.read_text(entries, "test.prm");
+    // The declarator's pointers must not outlive this function.
+    return parameters;
+  }
+
+  std::string
+  refusal(const std::string &entries)
+  {
+    return message_of<InputError>([&]() {
+      TopographyReport report;
+      make_profile(parse(entries), report);
+    });
+  }
+} // namespace
+
+TEST(MakeProfile, of_a_wavy_surface)
+{
+  const auto       p = parse("set File = " + wavy_file() + "\n");
+  TopographyReport report;
+  const Profile    profile = make_profile(p, report);
+  EXPECT_TRUE(profile.periodic);
+  EXPECT_EQ(profile.heights.size(), 200u);
+  EXPECT_NEAR(profile.length(), 100e-6, 1e-12);
+  // The plane of whole sines is not quite zero (6/pi^2 a/N), hence the 2 %.
+  EXPECT_NEAR(report.measured_roughness.Rq, 0.4e-6 / std::sqrt(2.), 6e-9);
+  EXPECT_NEAR(report.measured_roughness.Rz, 0.8e-6, 30e-9);
+  EXPECT_NEAR(report.areal.Sq, 0.4e-6 / std::sqrt(2.), 6e-9);
+  EXPECT_EQ(report.n_filled, 0u);
+  EXPECT_EQ(report.steps.size(), 3u);
+}
+
+TEST(MakeProfile, crop_by_lengths_and_by_samples_agree)
+{
+  const std::string common =
+    "set File = " + wavy_file() + "\nset Crop = window\n";
+  TopographyReport first, second;
+  make_profile(parse(common + "set Crop columns = 20 .. 119\n"
+                              "set Crop rows = 10 .. 49\n"),
+               first);
+  make_profile(parse(common + "set Crop columns = 10 um .. 59.5 um\n"
+                              "set Crop rows = 5 um .. 24.5 um\n"),
+               second);
+  EXPECT_EQ(first.map.nx, 100u);
+  EXPECT_EQ(first.map.ny, 40u);
+  EXPECT_EQ(first.profile.heights, second.profile.heights);
+}
+
+TEST(MakeProfile, scaling_comes_last)
+{
+  const std::string common = "set File = " + wavy_file() + "\n";
+  TopographyReport  plain, scaled;
+  make_profile(parse(common), plain);
+  make_profile(parse(common + "set Scale x = 0.1\nset Scale z = 0.5\n"),
+               scaled);
+  EXPECT_NEAR(scaled.profile.length(), 10e-6, 1e-15);
+  for (std::size_t i = 0; i < plain.profile.heights.size(); ++i)
+    EXPECT_DOUBLE_EQ(scaled.profile.heights[i], 0.5 * plain.profile.heights[i]);
+  EXPECT_EQ(scaled.measured_roughness.Rq, plain.measured_roughness.Rq);
+}
+
+TEST(MakeProfile, row_column_and_length_name_the_same_line)
+{
+  const std::string common =
+    "set File = " + wavy_file() + "\nset Profile length = 40 um\n";
+  TopographyReport row, length, column;
+  make_profile(parse(common + "set Profile position = row 30\n"), row);
+  make_profile(parse(common + "set Profile position = 15 um\n"), length);
+  EXPECT_EQ(row.measured.heights, length.measured.heights);
+  EXPECT_EQ(row.measured.heights[5], row.map(5, 30));
+  EXPECT_EQ(row.measured.heights.size(), 81u);
+  make_profile(parse(common + "set Profile direction = 90 deg\n"
+                              "set Profile position = column 7\n"),
+               column);
+  EXPECT_EQ(column.measured.heights[5], column.map(7, 5));
+}
+
+TEST(MakeProfile, holes_are_filled_reported_and_limited)
+{
+  const std::string common =
+    "set File = " + wavy_file() + "\nset Profile position = row 110\n";
+  TopographyReport report;
+  make_profile(parse(common), report);
+  EXPECT_EQ(report.n_filled, 1u);
+  EXPECT_NE(refusal(common + "set Largest missing fraction = 0.001\n")
+              .find("Crop = hole-free"),
+            std::string::npos);
+  make_profile(parse("set File = " + wavy_file() + "\nset Crop = hole-free\n"),
+               report);
+  EXPECT_EQ(report.map.missing_fraction(), 0.);
+  EXPECT_EQ(report.window.nx * report.window.ny, 196u * 120u);
+}
+
+TEST(MakeProfile, wrong_entries_are_named)
+{
+  const std::string file = "set File = " + wavy_file() + "\n";
+  const auto expect = [&](const std::string &entries, const std::string &part) {
+    const auto message = refusal(entries);
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  };
+  expect("", "'File'");
+  expect(file + "set Lateral unit = parsec\n", "'Lateral unit' = 'parsec'");
+  expect(file + "set Crop = window\nset Crop rows = 30\n", "is no range");
+  expect(file + "set Crop = window\nset Crop rows = 0 .. 120\n",
+         "leaves the map");
+  expect(file + "set Crop = window\nset Crop columns = 9 .. 3\n", "is empty");
+  expect(file + "set Crop = window\nset Crop rows = 1 kg .. 2 kg\n",
+         "'Crop rows'");
+  expect(file + "set Profile position = somewhere\n", "'Profile position'");
+  expect(file + "set Profile position = 200 um\n", "lie in the map");
+  expect(file + "set Profile length = 1 mm\n", "lie in the map");
+  expect(file + "set S-filter nesting index = 0.5 um\n", "two sample spacings");
+}
+
+TEST(MakeProfile, file_without_unit_needs_both_units)
+{
+  const auto        matrix = write_bytes("matrix.txt", [] {
+    std::string text;
+    for (unsigned int j = 0; j < 20; ++j)
+      {
+        for (unsigned int i = 0; i < 30; ++i)
+          text += std::to_string(std::sin(i + 0.1 * j)) + " ";
+        text += "\n";
+      }
+    return text;
+  }());
+  const std::string entry  = "set File = " + matrix + "\n";
+  EXPECT_NE(refusal(entry).find("carries no unit"), std::string::npos);
+  TopographyReport report;
+  make_profile(parse(entry + "set Height unit = nm\nset Spacing x = 1 um\n"),
+               report);
+  EXPECT_EQ(report.sanity.unit_source, "given by the user");
+  EXPECT_NEAR(report.areal.Sz, 2e-9, 0.3e-9);
+
+  const auto gsf =
+    write_bytes("unitless.gsf",
+                "Gwyddion Simple Field 1.0\nXRes = 2\nYRes = 2\n" +
+                  std::string(4, '\0') + std::string(16, '\1'));
+  EXPECT_NE(refusal("set File = " + gsf + "\n").find("Set both Lateral unit"),
+            std::string::npos);
+}
+
+TEST(TopographyCommand, writes_report_profile_and_picture)
+{
+  const auto folder = std::string(ASPERITY_BINARY_DIR) + "/test_topography/out";
+  const auto prm =
+    write_bytes("command.prm",
+                "set Output directory = " + folder +
+                  "\nsubsection Topography\n  set File = " + wavy_file() +
+                  "\n  set L-filter nesting index = 25 um\nend\n");
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(topography_report(prm), 0);
+  const auto screen = testing::internal::GetCapturedStdout();
+  for (const char *word : {"X3P", "ISO 25178-2", "ISO 4287", "L-filter", "Sq"})
+    EXPECT_NE(screen.find(word), std::string::npos) << word;
+
+  const auto json = nlohmann::json::parse(read_bytes(folder + "/report.json"));
+  EXPECT_EQ(json["surface"]["format"], "X3P");
+  EXPECT_NEAR(json["profile"]["period"].get<double>(), 100e-6, 1e-12);
+  EXPECT_GT(json["areal"]["Sq"].get<double>(), 0.2e-6);
+
+  const auto csv = read_bytes(folder + "/profile.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 202);
+  const auto svg = read_bytes(folder + "/topography.svg");
+  EXPECT_NE(svg.find("data:image/png;base64,iVBORw0KGgo"), std::string::npos);
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+  const auto map = read_height_map(folder + "/surface.x3p");
+  EXPECT_EQ(map.nx, 200u);
+}
+
+// RFC 4648, section 10.
+TEST(Picture, base64_test_vectors)
+{
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+}
