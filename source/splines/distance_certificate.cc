@@ -235,9 +235,10 @@ namespace asperity
       {
         const CurveLocation &known = best_point.location;
         if (known.piece == location.piece && known.turn == location.turn &&
-            known.s >= part.low && known.s <= part.high &&
+            known.s > part.low && known.s < part.high &&
+            best_point.jet.hessian() > 1e-3 * best_point.jet.squared_speed() &&
             best_point.method != Projection::Method::none)
-          return; // the only minimum of this part is the known one
+          return; // this part's only minimum is known, and to full accuracy
         const auto found =
           minimizer.minimize_between(location, part.low, part.high);
         consider(location, found.location.s);

@@ -37,13 +37,21 @@ namespace asperity
 
 
 
-  bool
-  DistanceMinimizer::not_farther(const DistanceJet &now,
-                                 const DistanceJet &before) const
+  double
+  DistanceMinimizer::round_off(const DistanceJet &jet) const
   {
-    const double distance2 = before.squared_distance();
-    return now.squared_distance() <=
-           distance2 + 2. * noise * (std::sqrt(distance2) + noise);
+    return 2. * noise * (std::sqrt(jet.squared_distance()) + noise);
+  }
+
+
+
+  bool
+  DistanceMinimizer::settled(const DistanceJet &jet, const double ds) const
+  {
+    return std::abs(ds) <
+           (jet.hessian() > healthy_hessian * jet.squared_speed() ?
+              newton_tolerance :
+              step_tolerance);
   }
 
 
@@ -96,15 +104,13 @@ namespace asperity
         const bool        ended = move(next, ds);
         const DistanceJet there = jet(next);
         ++result.iterations;
-        if (!not_farther(there, here))
+        if (!(there.squared_distance() <=
+              here.squared_distance() + round_off(here)))
           return false;
-        const bool settled =
-          std::abs(ds) < (hessian > healthy_hessian * speed2 ?
-                            newton_tolerance :
-                            step_tolerance);
+        const bool done = ended || settled(here, ds);
         result.location = next;
         result.jet      = there;
-        if (ended || settled)
+        if (done)
           return true;
       }
     return false;
@@ -145,7 +151,7 @@ namespace asperity
             accepted = there.squared_distance() <=
                        here.squared_distance() +
                          1e-4 * 2. * std::min(0., here.gradient() * ds) +
-                         2. * noise * noise;
+                         round_off(here);
             if (!accepted)
               ds *= 0.5;
           }
@@ -153,7 +159,7 @@ namespace asperity
           return std::abs(ds) < step_tolerance && here.hessian() > 0.;
         result.location = next;
         result.jet      = there;
-        if (ended || std::abs(ds) < step_tolerance)
+        if (ended || settled(here, ds))
           return true;
       }
     return false;
@@ -205,9 +211,21 @@ namespace asperity
     Result result;
     result.location = start;
     result.jet      = jet(start);
-    if (!newton(result) && !sequential_quadratic_programming(result) &&
+    if (newton(result))
+      return result;
+    if (!sequential_quadratic_programming(result) &&
         !levenberg_marquardt(result))
-      result.method = Projection::Method::none;
+      {
+        result.method = Projection::Method::none;
+        return result;
+      }
+    // Methods that compare distances stop at the square root of round-off.
+    Result polished = result;
+    if (newton(polished))
+      {
+        polished.method = result.method;
+        return polished;
+      }
     return result;
   }
 

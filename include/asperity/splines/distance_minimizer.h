@@ -61,9 +61,13 @@ namespace asperity
     bool
     stationary(const DistanceJet &jet) const;
 
-    /** The squared distance did not rise but for round-off. */
+    /** Round-off of the squared distance. */
+    double
+    round_off(const DistanceJet &jet) const;
+
+    /** After a step ds from here nothing will change any more. */
     bool
-    not_farther(const DistanceJet &now, const DistanceJet &before) const;
+    settled(const DistanceJet &jet, const double ds) const;
 
     DistanceJet
     jet(const CurveLocation &location) const
