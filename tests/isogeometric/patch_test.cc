@@ -2,6 +2,7 @@
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/sparse_direct.h>
 #include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/sparsity_pattern.h>
@@ -42,23 +43,27 @@ namespace
     sparsity.copy_from(pattern);
     dealii::SparseMatrix<double> matrix(sparsity);
     for (const auto &element : table.elements)
-      for (unsigned int q = 0; q < table.points_per_element; ++q)
-        for (unsigned int a = 0; a < element.functions.size(); ++a)
-          for (unsigned int b = 0; b < element.functions.size(); ++b)
-            {
-              const auto &g_a =
-                element.gradients[q * element.functions.size() + a];
-              const auto &g_b =
-                element.gradients[q * element.functions.size() + b];
-              const double JxW = table.JxW[element.first_point + q];
-              for (unsigned int i = 0; i < 2; ++i)
-                for (unsigned int j = 0; j < 2; ++j)
-                  matrix.add(2 * element.functions[a] + i,
-                             2 * element.functions[b] + j,
-                             JxW * (lambda * g_a[i] * g_b[j] +
-                                    mu * g_a[j] * g_b[i] +
-                                    (i == j ? mu * (g_a * g_b) : 0.)));
-            }
+      {
+        const unsigned int         n_a = element.functions.size();
+        dealii::FullMatrix<double> cell_matrix(2 * n_a, 2 * n_a);
+        std::vector<unsigned int>  unknowns;
+        for (const unsigned int a : element.functions)
+          unknowns.insert(unknowns.end(), {2 * a, 2 * a + 1});
+        for (unsigned int q = 0; q < table.points_per_element; ++q)
+          for (unsigned int a = 0; a < n_a; ++a)
+            for (unsigned int b = 0; b < n_a; ++b)
+              {
+                const auto  &g_a = element.gradients[q * n_a + a];
+                const auto  &g_b = element.gradients[q * n_a + b];
+                const double JxW = table.JxW[element.first_point + q];
+                for (unsigned int i = 0; i < 2; ++i)
+                  for (unsigned int j = 0; j < 2; ++j)
+                    cell_matrix(2 * a + i, 2 * b + j) +=
+                      JxW * (lambda * g_a[i] * g_b[j] + mu * g_a[j] * g_b[i] +
+                             (i == j ? mu * (g_a * g_b) : 0.));
+              }
+        matrix.add(unknowns, cell_matrix);
+      }
     std::set<unsigned int> fixed;
     for (const Edge edge : {Edge::bottom, Edge::top, Edge::left, Edge::right})
       if (!space.periodic_x() || edge == Edge::bottom || edge == Edge::top)

@@ -3,6 +3,7 @@
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/sparse_direct.h>
 #include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/sparsity_pattern.h>
@@ -96,23 +97,27 @@ namespace
     sparsity.copy_from(pattern);
     dealii::SparseMatrix<double> matrix(sparsity);
     dealii::Vector<double>       u(n);
+    dealii::FullMatrix<double>   cell_matrix;
     for (const auto &element : cells.elements)
-      for (unsigned int q = 0; q < cells.points_per_element; ++q)
-        {
-          const unsigned int point = element.first_point + q;
-          const unsigned int n_a   = element.functions.size();
-          for (unsigned int a = 0; a < n_a; ++a)
-            {
-              u[element.functions[a]] += element.values[q * n_a + a] *
-                                         exact.source(cells.position[point]) *
-                                         cells.JxW[point];
-              for (unsigned int b = 0; b < n_a; ++b)
-                matrix.add(element.functions[a],
-                           element.functions[b],
-                           element.gradients[q * n_a + a] *
-                             element.gradients[q * n_a + b] * cells.JxW[point]);
-            }
-        }
+      {
+        const unsigned int n_a = element.functions.size();
+        cell_matrix.reinit(n_a, n_a);
+        for (unsigned int q = 0; q < cells.points_per_element; ++q)
+          {
+            const unsigned int point  = element.first_point + q;
+            const double       source = exact.source(cells.position[point]);
+            for (unsigned int a = 0; a < n_a; ++a)
+              {
+                u[element.functions[a]] +=
+                  element.values[q * n_a + a] * source * cells.JxW[point];
+                for (unsigned int b = 0; b < n_a; ++b)
+                  cell_matrix(a, b) += element.gradients[q * n_a + a] *
+                                       element.gradients[q * n_a + b] *
+                                       cells.JxW[point];
+              }
+          }
+        matrix.add(element.functions, cell_matrix);
+      }
     std::vector<Edge> loaded{Edge::top};
     if (!space.periodic_x())
       loaded = {Edge::top, Edge::left, Edge::right};
@@ -265,7 +270,7 @@ TEST(Poisson, optimal_order_on_hierarchical_meshes)
       }
 }
 
-TEST(Poisson, refining_at_the_bump_is_as_good_as_refining_everywhere)
+TEST(Poisson, refining_at_the_bump_halves_the_error_with_few_functions)
 {
   for (unsigned int p = 2; p <= 4; ++p)
     {
