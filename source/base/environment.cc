@@ -21,5 +21,9 @@ namespace asperity
     };
     limit("OPENBLAS_NUM_THREADS", "openblas_set_num_threads");
     limit("OMP_NUM_THREADS", "omp_set_num_threads");
+    // CHOLMOD asks for four threads whatever the number is set to; a region of
+    // level zero is never parallel.
+    if (void *const symbol = dlsym(RTLD_DEFAULT, "omp_set_max_active_levels"))
+      reinterpret_cast<void (*)(int)>(symbol)(0);
   }
 } // namespace asperity

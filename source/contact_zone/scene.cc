@@ -68,7 +68,9 @@ namespace asperity
                                             geometry,
                                             law,
                                             Kinematics::plane_strain,
-                                            parameters.mesh.quadrature);
+                                            parameters.mesh.quadrature > 0 ?
+                                              parameters.mesh.quadrature :
+                                              std::max(2u, space->degree()));
     MaterialState start;
     start.temperature    = parameters.load.temperature;
     start.plastic_strain = parameters.load.plastic_strain;

@@ -146,7 +146,8 @@ namespace asperity
                        quadrature,
                        Range::between(0, 10),
                        "Gauss points in each direction of an element; 0 means "
-                       "degree + 1.");
+                       "the degree, at which the smooth splines are stable and "
+                       "mu changes by 1e-4 against degree + 1.");
   }
 
 
@@ -313,12 +314,13 @@ namespace asperity
                        "How often a step is halved before the run gives up.");
     parameters.choice("Linear solver",
                       linear_solver,
-                      {{"umfpack", DirectSolverKind::umfpack},
+                      {{"cholmod", DirectSolverKind::cholmod},
+                       {"umfpack", DirectSolverKind::umfpack},
                        {"klu", DirectSolverKind::klu},
                        {"mumps", DirectSolverKind::mumps}},
-                      "Direct solver of the tangent: `umfpack` is the fastest "
-                      "at the size of these scenes; `klu` and `mumps` for "
-                      "comparison.");
+                      "Direct solver of the tangent: `cholmod`, Cholesky with "
+                      "LU where the tangent is indefinite, is the fastest; "
+                      "`umfpack`, `klu` and `mumps` for comparison.");
   }
 
 

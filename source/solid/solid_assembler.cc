@@ -4,6 +4,7 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace asperity
 {
@@ -48,6 +49,40 @@ namespace asperity
 
 
 
+  namespace
+  {
+    /** Functions of each element in order of their index, so that rows of the
+     *  matrix are filled in one sweep. */
+    void
+    sort_functions(BasisTable &table)
+    {
+      for (auto &element : table.elements)
+        {
+          const unsigned int        n = element.functions.size();
+          std::vector<unsigned int> order(n);
+          std::iota(order.begin(), order.end(), 0);
+          std::sort(order.begin(),
+                    order.end(),
+                    [&](const auto a, const auto b) {
+                      return element.functions[a] < element.functions[b];
+                    });
+          const auto unsorted = element;
+          for (unsigned int a = 0; a < n; ++a)
+            {
+              element.functions[a] = unsorted.functions[order[a]];
+              for (unsigned int q = 0; q < table.points_per_element; ++q)
+                {
+                  element.values[q * n + a] = unsorted.values[q * n + order[a]];
+                  element.gradients[q * n + a] =
+                    unsorted.gradients[q * n + order[a]];
+                }
+            }
+        }
+    }
+  } // namespace
+
+
+
   SolidAssembler::SolidAssembler(std::shared_ptr<const SplineSpace> space,
                                  const PatchGeometry               &geometry,
                                  std::shared_ptr<const MaterialLaw> law,
@@ -65,6 +100,7 @@ namespace asperity
     , new_history(table_.JxW.size())
     , mises(table_.JxW.size(), 0.)
   {
+    sort_functions(table_);
     if (kinematics == Kinematics::axisymmetric)
       for (unsigned int q = 0; q < table_.JxW.size(); ++q)
         table_.JxW[q] *= 2. * dealii::numbers::PI * table_.position[q][0];
@@ -232,7 +268,7 @@ namespace asperity
                        s.dofs.data(),
                        s.full.data() + i * 2 * n,
                        false,
-                       false);
+                       true);
       }
     return true;
   }

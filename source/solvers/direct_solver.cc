@@ -5,6 +5,7 @@
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_vector.h>
 
+#include <suitesparse/cholmod.h>
 #include <suitesparse/klu.h>
 #include <suitesparse/umfpack.h>
 
@@ -12,74 +13,12 @@
 #include <cmath>
 #include <vector>
 
+#include "compressed_rows.h"
+
 namespace asperity
 {
   namespace
   {
-    /**
-     * A deal.II matrix as compressed rows with sorted columns, which
-     * SuiteSparse reads as the compressed columns of the transpose. deal.II
-     * stores the diagonal first, so the slots are found once a pattern.
-     */
-    class CompressedRows
-    {
-    public:
-      void
-      reset()
-      {
-        row_start.clear();
-      }
-
-      /** @return true if the pattern was built anew. */
-      bool
-      update(const dealii::SparseMatrix<double> &matrix)
-      {
-        const bool is_new = row_start.empty();
-        if (is_new)
-          build_pattern(matrix);
-        std::size_t k = 0;
-        for (const auto &entry : matrix)
-          values[slot[k++]] = entry.value();
-        return is_new;
-      }
-
-      int
-      n() const
-      {
-        return static_cast<int>(row_start.size()) - 1;
-      }
-
-      std::vector<int>    row_start, column;
-      std::vector<double> values;
-
-    private:
-      void
-      build_pattern(const dealii::SparseMatrix<double> &matrix)
-      {
-        row_start.assign(1, 0);
-        column.clear();
-        slot.clear();
-        std::vector<std::pair<int, int>> row; // column, position in the row
-        for (unsigned int r = 0; r < matrix.m(); ++r)
-          {
-            row.clear();
-            for (auto entry = matrix.begin(r); entry != matrix.end(r); ++entry)
-              row.emplace_back(entry->column(), row.size());
-            std::sort(row.begin(), row.end());
-            slot.resize(slot.size() + row.size());
-            for (unsigned int i = 0; i < row.size(); ++i)
-              {
-                slot[row_start.back() + row[i].second] = row_start.back() + i;
-                column.push_back(row[i].first);
-              }
-            row_start.push_back(column.size());
-          }
-        values.resize(column.size());
-      }
-
-      std::vector<int> slot; ///< deal.II's k-th entry -> index into values
-    };
-
     class Umfpack : public DirectSolver
     {
     public:
@@ -167,6 +106,99 @@ namespace asperity
       double         control[UMFPACK_CONTROL];
       void          *symbolic = nullptr;
       void          *numeric  = nullptr;
+    };
+
+    /**
+     * Supernodal Cholesky, with a factorisation by Umfpack wherever the matrix
+     * is not positive definite: softening material and the curvature of the
+     * contact surface make tangents indefinite now and then.
+     */
+    class Cholmod : public DirectSolver
+    {
+    public:
+      Cholmod()
+      {
+        cholmod_start(&common);
+        common.supernodal    = CHOLMOD_SUPERNODAL;
+        common.print         = 0;
+        common.error_handler = nullptr;
+      }
+
+      ~Cholmod() override
+      {
+        cholmod_free_factor(&factor, &common);
+        cholmod_finish(&common);
+      }
+
+      void
+      reset() override
+      {
+        rows.reset();
+        fallback.reset();
+      }
+
+      bool
+      factorize(const dealii::SparseMatrix<double> &matrix) override
+      {
+        const bool     is_new = rows.update(matrix);
+        cholmod_sparse view   = lower_triangle();
+        if (is_new)
+          {
+            cholmod_free_factor(&factor, &common);
+            factor = cholmod_analyze(&view, &common);
+          }
+        if (factor == nullptr)
+          return false;
+        cholmod_factorize(&view, factor, &common);
+        is_definite = common.status == CHOLMOD_OK && factor->minor == factor->n;
+        return is_definite || fallback.factorize(matrix);
+      }
+
+      void
+      solve(dealii::Vector<double> &rhs) const override
+      {
+        if (!is_definite)
+          {
+            fallback.solve(rhs);
+            return;
+          }
+        cholmod_dense b{};
+        b.nrow = b.nzmax = b.d = rhs.size();
+        b.ncol                 = 1;
+        b.x                    = rhs.begin();
+        b.xtype                = CHOLMOD_REAL;
+        b.dtype                = CHOLMOD_DOUBLE;
+        cholmod_dense *x       = cholmod_solve(CHOLMOD_A, factor, &b, &common);
+        std::copy_n(static_cast<double *>(x->x), rhs.size(), rhs.begin());
+        cholmod_free_dense(&x, &common);
+      }
+
+    private:
+      /** The rows, read as columns of the symmetric matrix; CHOLMOD ignores
+       *  what lies above the diagonal. */
+      cholmod_sparse
+      lower_triangle()
+      {
+        cholmod_sparse view{};
+        view.nrow = view.ncol = rows.n();
+        view.nzmax            = rows.values.size();
+        view.p                = rows.row_start.data();
+        view.i                = rows.column.data();
+        view.x                = rows.values.data();
+        view.stype            = -1;
+        view.itype            = CHOLMOD_INT;
+        view.xtype            = CHOLMOD_REAL;
+        view.dtype            = CHOLMOD_DOUBLE;
+        view.sorted           = 1;
+        view.packed           = 1;
+        return view;
+      }
+
+      CompressedRows         rows;
+      Umfpack                fallback;
+      bool                   is_definite = false;
+      mutable cholmod_common common;
+      cholmod_factor        *factor = nullptr;
     };
 
     class Klu : public DirectSolver
@@ -299,6 +331,8 @@ namespace asperity
   {
     switch (kind)
       {
+        case DirectSolverKind::cholmod:
+          return std::make_unique<Cholmod>();
         case DirectSolverKind::klu:
           return std::make_unique<Klu>();
         case DirectSolverKind::mumps:

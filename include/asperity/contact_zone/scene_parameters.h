@@ -58,8 +58,8 @@ namespace asperity
   {
     unsigned int degree     = 2;
     unsigned int spans      = 160;
-    unsigned int refinement = 2;
-    double       strip      = 0.6e-6; ///< depth of the finest cells [m]
+    unsigned int refinement = 3;
+    double       strip      = 0.3e-6; ///< depth of the finest cells [m]
     double       grading    = 1.5;    ///< growth of rows with depth
     unsigned int quadrature = 0;      ///< Gauss points; 0: degree + 1
 
@@ -96,8 +96,8 @@ namespace asperity
   {
     double         end_time         = 2.5e-7;
     double         ramp_fraction    = 0.2;
-    unsigned int   ramp_steps       = 16;
-    unsigned int   slide_steps      = 48;
+    unsigned int   ramp_steps       = 24;
+    unsigned int   slide_steps      = 96;
     Inertia        inertia          = Inertia::automatic;
     double         spectral_radius  = 0.8;
     FrictionWindow window           = FrictionWindow::time;
@@ -114,7 +114,7 @@ namespace asperity
   struct ContactParameters
   {
     ContactFormulation    formulation    = ContactFormulation::mortar;
-    double                penalty_factor = 4.; ///< c in epsilon = c E / h
+    double                penalty_factor = 8.; ///< c in epsilon = c E / h
     std::optional<double> penalty;             ///< overrides the factor [Pa/m]
     unsigned int          quadrature            = 0;
     unsigned int          augmentations         = 0;
@@ -126,10 +126,10 @@ namespace asperity
 
   struct SolverParameters
   {
-    double           tolerance          = 1e-5; ///< of p L
+    double           tolerance          = 1e-4; ///< of p L
     unsigned int     maximum_iterations = 20;
     unsigned int     maximum_cuts       = 8;
-    DirectSolverKind linear_solver      = DirectSolverKind::umfpack;
+    DirectSolverKind linear_solver      = DirectSolverKind::cholmod;
 
     void
     declare(ParameterDeclarator &parameters);

@@ -12,8 +12,8 @@ namespace asperity
   /**
    * A sparse direct solver that keeps what depends on the sparsity pattern only
    * (ordering, symbolic factorisation) from one factorisation to the next.
-   * Tangents may be indefinite and, with follower loads, unsymmetric, so all
-   * kinds are LU.
+   * Tangents may be indefinite; with follower loads they are unsymmetric, too,
+   * which all kinds but cholmod can treat.
    */
   class DirectSolver
   {
@@ -36,6 +36,8 @@ namespace asperity
 
   enum class DirectSolverKind
   {
+    cholmod, ///< supernodal Cholesky for symmetric matrices, umfpack where
+             ///< one is indefinite
     umfpack, ///< multifrontal with BLAS 3: the fastest below 10^5 unknowns
     klu,     ///< SuiteSparse's solver for circuits, pivot sequence reused
     mumps    ///< Amesos_Mumps of Trilinos (deal.II's wrapper), if built in
