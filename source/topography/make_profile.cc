@@ -7,6 +7,7 @@
 #include <asperity/topography/make_profile.h>
 #include <asperity/topography/read_height_map.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <tuple>
 
@@ -235,15 +236,31 @@ namespace asperity
       return line;
     }
 
+    /** Cut off what is missing at the ends; returns how many samples. */
+    std::size_t
+    trim_ends(std::vector<double> &heights)
+    {
+      const auto valid = [](const double z) { return !std::isnan(z); };
+      const auto first = std::find_if(heights.begin(), heights.end(), valid);
+      const auto last  = std::find_if(heights.rbegin(), heights.rend(), valid);
+      if (first == heights.end())
+        return 0;
+      const std::vector<double> measured(first, last.base());
+      const std::size_t         n_cut = heights.size() - measured.size();
+      heights                         = measured;
+      return n_cut;
+    }
+
     void
     take_profile(const TopographyParameters &p,
                  const HeightMap            &map,
                  TopographyReport           &report)
     {
-      report.line     = find_line(p, map);
-      report.measured = extract_profile(map, report.line);
-      auto  &heights  = report.measured.heights;
-      double missing  = 0.;
+      report.line      = find_line(p, map);
+      report.measured  = extract_profile(map, report.line);
+      auto &heights    = report.measured.heights;
+      report.n_trimmed = trim_ends(heights);
+      double missing   = 0.;
       for (const double z : heights)
         missing += std::isnan(z) / static_cast<double>(heights.size());
       if (missing > p.largest_missing_fraction)
@@ -259,27 +276,34 @@ namespace asperity
         "Profile: " + std::to_string(heights.size()) + " samples over " +
         micrometres(report.measured.length()) + " at " +
         format_quantity(p.direction, "deg", 4) + " to x, position " +
-        p.position + "; " + std::to_string(report.n_filled) +
-        " missing points filled by straight lines.");
+        p.position + "; missing samples: " + std::to_string(report.n_trimmed) +
+        " at the ends cut off, " + std::to_string(report.n_filled) +
+        " inside filled by straight lines.");
     }
 
     void
     finish_profile(const TopographyParameters &p, TopographyReport &report)
     {
-      report.profile      = make_periodic(report.measured,
+      report.profile = make_periodic(report.measured,
                                      p.continuation,
                                      p.spline,
                                      report.continuation);
-      const auto &c       = report.continuation;
+      const auto  &c = report.continuation;
+      const double Rq_change =
+        c.Rq_before > 0. ? c.Rq_after / c.Rq_before - 1. : 0.;
       const char *names[] = {"wrapped spline", "mirror", "none"};
       report.steps.push_back(
         std::string("Periodic continuation: ") +
-        names[static_cast<int>(p.continuation)] + ", jump at the seam " +
+        names[static_cast<int>(p.continuation)] + "; trend removed " +
+        percent(c.removed_trend) + ", jump at the seam " +
         micrometres(c.jump_before) + " -> " + micrometres(c.jump_after) +
         ", Rq " + micrometres(c.Rq_before) + " -> " + micrometres(c.Rq_after) +
-        " (" + percent(c.Rq_before > 0. ? c.Rq_after / c.Rq_before - 1. : 0.) +
-        "), change of a sample rms " + micrometres(c.fit_rms) + ", largest " +
-        micrometres(c.fit_max) + ".");
+        " (" + percent(Rq_change) + "), change of a sample rms " +
+        micrometres(c.fit_rms) + ", largest " + micrometres(c.fit_max) + ".");
+      if (std::abs(Rq_change) > 0.1)
+        report.warnings.push_back(
+          "The periodic continuation changes Rq by " + percent(Rq_change) +
+          ": remove the form with a higher degree, or take a longer profile.");
 
       report.scale_x = p.scale_x;
       report.scale_z = p.scale_z;

@@ -237,9 +237,9 @@ namespace asperity
     if (continuation == Continuation::wrapped_spline)
       report.removed_trend = remove_trend(straight);
     std::tie(report.jump_before, report.slope_jump_before) =
-      seam_jumps(straight);
-    report.Rq_before        = rms_about_mean(straight.heights);
-    report.max_slope_before = max_slope(straight);
+      seam_jumps(profile);
+    report.Rq_before        = rms_about_mean(profile.heights);
+    report.max_slope_before = max_slope(profile);
 
     Profile result  = straight;
     result.periodic = true;

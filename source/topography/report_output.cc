@@ -197,6 +197,7 @@ namespace asperity
     json["measured_profile"]            = json_of(report.measured_roughness);
     json["measured_profile"]["samples"] = report.measured.heights.size();
     json["measured_profile"]["spacing"] = report.measured.spacing;
+    json["measured_profile"]["trimmed"] = report.n_trimmed;
     json["measured_profile"]["filled"]  = report.n_filled;
     json["continuation"]                = json_of(report.continuation);
     json["profile"]                     = json_of(report.profile_roughness);

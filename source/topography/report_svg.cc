@@ -4,7 +4,6 @@
 #include <asperity/topography/svg.h>
 
 #include <algorithm>
-#include <functional>
 
 namespace asperity
 {
@@ -77,17 +76,13 @@ namespace asperity
     }
 
     std::string
-    curve(const Frame                         &f,
-          const Profile                       &profile,
-          const std::function<double(double)> &x_of,
-          const double                         z_scale,
-          const std::string                   &attributes)
+    curve(const Frame &f, const Profile &profile, const std::string &attributes)
     {
       std::string points;
       for (std::size_t i = 0; i < profile.heights.size(); ++i)
         points += format("%.2f,%.2f ",
-                         f.px(x_of(i * profile.spacing)),
-                         f.py(z_scale * profile.heights[i]));
+                         f.px(i * profile.spacing),
+                         f.py(profile.heights[i]));
       return "<polyline fill=\"none\" " + attributes + " points=\"" + points +
              "\"/>\n";
     }
@@ -179,39 +174,51 @@ namespace asperity
       return page + "</g>\n";
     }
 
+    /** Heights about their mean. */
+    Profile
+    centred(Profile profile)
+    {
+      double mean = 0.;
+      for (const double z : profile.heights)
+        mean += z / profile.heights.size();
+      for (double &z : profile.heights)
+        z -= mean;
+      return profile;
+    }
+
+    /** The finished profile without its scaling, repeated up to @p length. */
+    Profile
+    unscaled(const TopographyReport &report, const double length)
+    {
+      Profile profile = report.profile;
+      profile.spacing /= report.scale_x;
+      for (double &z : profile.heights)
+        z /= report.scale_z;
+      const std::size_t n = profile.heights.size();
+      for (std::size_t i = n; i * profile.spacing <= length; ++i)
+        profile.heights.push_back(profile.heights[i - n]);
+      return profile;
+    }
+
+    /** Both profiles, and a quarter of the next period, to show the seam. */
     std::string
     profile_panel(const TopographyReport &report)
     {
-      // The finished profile is drawn in measured lengths, one and a quarter
-      // periods of it, so that the seam is seen.
-      const Profile &finished = report.profile;
-      const double   period   = finished.length() / report.scale_x;
-      const double   length = std::max(report.measured.length(), 1.25 * period);
-      double         low = 0., high = 0.;
-      for (const double z : report.measured.heights)
-        {
-          low  = std::min(low, z);
-          high = std::max(high, z);
-        }
-      for (const double z : finished.heights)
-        {
-          low  = std::min(low, z / report.scale_z);
-          high = std::max(high, z / report.scale_z);
-        }
+      const double  period = report.profile.length() / report.scale_x;
+      const double  length = std::max(report.measured.length(), 1.25 * period);
+      const Profile measured = centred(report.measured);
+      const Profile finished = centred(unscaled(report, length));
+      double        low = 0., high = 0.;
+      for (const auto *profile : {&measured, &finished})
+        for (const double z : profile->heights)
+          {
+            low  = std::min(low, z);
+            high = std::max(high, z);
+          }
       const double margin = 0.05 * std::max(high - low, 1e-12);
       const bool   nano   = high - low < 1e-7;
       const Frame  f      = {
               80, 440, 860, 190, 0., length, low - margin, high + margin};
-
-      Profile twice = finished;
-      twice.spacing /= report.scale_x;
-      twice.heights.push_back(finished.heights.front());
-      for (std::size_t i = 1;
-           i < twice.heights.size() &&
-           (finished.heights.size() + i) * twice.spacing <= length;
-           ++i)
-        twice.heights.push_back(finished.heights[i % finished.heights.size()]);
-      const auto identity = [](const double x) { return x; };
 
       std::string page = border(f);
       page += segment(f.px(period),
@@ -219,22 +226,14 @@ namespace asperity
                       f.px(period),
                       f.y + f.height,
                       "stroke=\"#888\" stroke-dasharray=\"4 3\"");
-      page += curve(f,
-                    report.measured,
-                    identity,
-                    1.,
-                    "stroke=\"#999\" stroke-width=\"2.5\"");
-      page += curve(f,
-                    twice,
-                    identity,
-                    1. / report.scale_z,
-                    "stroke=\"#1f77b4\" stroke-width=\"1.2\"");
+      page += curve(f, measured, "stroke=\"#999\" stroke-width=\"2.5\"");
+      page += curve(f, finished, "stroke=\"#1f77b4\" stroke-width=\"1.2\"");
       page += axis(f, false, 1e-6, "along the profile [um]");
       page += axis(f, true, nano ? 1e-9 : 1e-6, nano ? "z [nm]" : "z [um]");
       page += label(f.x,
                     f.y - 8,
-                    "grey: measured; blue: periodic (before scaling); dashed: "
-                    "end of the period, " +
+                    "grey: measured; blue: periodic, before scaling (each "
+                    "about its mean); dashed: end of the period, " +
                       format_quantity(period, "um", 5));
       return page;
     }

@@ -30,10 +30,11 @@ namespace asperity
     HeightMap      map;
     ArealRoughness areal;
 
-    /** The measured profile, gaps filled, and where it lies in the map. */
+    /** The measured profile without missing ends and gaps, and its line. */
     Profile          measured;
     ProfileLine      line;
-    std::size_t      n_filled = 0;
+    std::size_t      n_trimmed = 0;
+    std::size_t      n_filled  = 0;
     ProfileRoughness measured_roughness;
 
     /** The finished profile: scaled and periodic. */

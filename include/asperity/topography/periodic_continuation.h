@@ -35,7 +35,8 @@ namespace asperity
   /**
    * What the continuation did. The jumps compare the two sides of the seam:
    * height and slope that the last two samples of the period extrapolate to
-   * its end, minus those at its start. Heights in metres.
+   * its end, minus those at its start. `Before` is the profile as it comes,
+   * with its trend. Heights in metres.
    */
   struct ContinuationReport
   {
