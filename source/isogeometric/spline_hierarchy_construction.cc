@@ -189,35 +189,27 @@ namespace asperity
 
     std::vector<unsigned int>        functions;
     std::vector<std::vector<double>> rows;
-    std::vector<unsigned int>        own(n, inactive);
-    std::vector<bool>                truncated(n, false);
-    for (unsigned int b = 0; b < n; ++b)
-      if (const auto it = level.inside.find(bsplines[b]);
-          it != level.inside.end())
-        {
-          truncated[b] = true;
-          own[b]       = it->second;
-        }
+    std::vector<bool>                truncated;
+    for (const std::uint64_t bspline : bsplines)
+      truncated.push_back(level.inside.count(bspline) > 0);
     for (unsigned int a = 0; a < coarse_functions.size(); ++a)
       {
         std::vector<double> row(n, 0.);
-        bool                vanishes = true;
         for (unsigned int b = 0; b < n; ++b)
           if (!truncated[b] && std::abs(refined(a, b)) > zero_coefficient)
-            {
-              row[b]   = refined(a, b);
-              vanishes = false;
-            }
-        if (!vanishes)
+            row[b] = refined(a, b);
+        if (std::any_of(row.begin(), row.end(), [](const double value) {
+              return value != 0.;
+            }))
           {
             functions.push_back(coarse_functions[a]);
             rows.push_back(std::move(row));
           }
       }
     for (unsigned int b = 0; b < n; ++b)
-      if (own[b] != inactive)
+      if (truncated[b] && level.inside.at(bsplines[b]) != inactive)
         {
-          functions.push_back(own[b]);
+          functions.push_back(level.inside.at(bsplines[b]));
           rows.emplace_back(n, 0.);
           rows.back()[b] = 1.;
         }
@@ -226,20 +218,19 @@ namespace asperity
     for (unsigned int a = 0; a < rows.size(); ++a)
       for (unsigned int b = 0; b < n; ++b)
         operators(a, b) = rows[a][b];
-
-    if (node.cell >= 0)
+    if (node.cell < 0)
+      for (const int child : node.children)
+        {
+          Assert(child >= 0, dealii::ExcMessage("The cells leave a hole."));
+          extract(tree[child], functions, operators);
+        }
+    else
       {
-        Cell &cell      = cells[node.cell];
-        cell.functions  = functions;
-        cell.extraction = tensor_transform(operators,
-                                           level.extraction[0][node.index.i],
-                                           level.extraction[1][node.index.j]);
-        return;
-      }
-    for (const int child : node.children)
-      {
-        Assert(child >= 0, dealii::ExcMessage("The cells leave a hole."));
-        extract(tree[child], functions, operators);
+        cells[node.cell].functions = functions;
+        cells[node.cell].extraction =
+          tensor_transform(operators,
+                           level.extraction[0][node.index.i],
+                           level.extraction[1][node.index.j]);
       }
   }
 

@@ -52,6 +52,22 @@ namespace
   }
 } // namespace
 
+namespace
+{
+  /** dX/dxi from the offsets and the parametric gradients. */
+  Tensor<2, 2>
+  jacobian(const PatchGeometry             &geometry,
+           const std::vector<unsigned int> &functions,
+           const std::vector<Tensor<1, 2>> &gradients)
+  {
+    Tensor<2, 2> J;
+    J[0][0] = J[1][1] = 1.;
+    for (unsigned int a = 0; a < functions.size(); ++a)
+      J += outer_product(geometry.offset[functions[a]], gradients[a]);
+    return J;
+  }
+} // namespace
+
 TEST(BasisTable, measures_of_a_curved_patch)
 {
   for (const auto &[name, space] : example::all())
@@ -129,10 +145,7 @@ TEST(BasisTable, values_and_gradients_are_those_of_evaluation)
                           .norm(),
                         0.,
                         1e-14);
-            Tensor<2, 2> J;
-            J[0][0] = J[1][1] = 1.;
-            for (unsigned int a = 0; a < N.size(); ++a)
-              J += outer_product(geometry.offset[element.functions[a]], dN[a]);
+            const Tensor<2, 2> J = jacobian(geometry, element.functions, dN);
             for (unsigned int a = 0; a < N.size(); ++a)
               {
                 EXPECT_NEAR(element.values[q * N.size() + a], N[a], 1e-14);
@@ -173,12 +186,8 @@ TEST(BasisTable, edge_values_are_the_traces_of_the_cell)
               EXPECT_GT(full.parameter[point][along], previous);
               previous = full.parameter[point][along];
               space->evaluate(element.cell, full.parameter[point], N, &dN);
-              Tensor<2, 2> J;
-              J[0][0] = J[1][1] = 1.;
-              for (unsigned int a = 0; a < n; ++a)
-                J +=
-                  outer_product(geometry.offset[element.functions[a]], dN[a]);
-              Tensor<1, 2> tangent;
+              const Tensor<2, 2> J = jacobian(geometry, element.functions, dN);
+              Tensor<1, 2>       tangent;
               for (unsigned int d = 0; d < 2; ++d)
                 tangent[d] = J[d][along];
               const auto normal = full.normal[point];

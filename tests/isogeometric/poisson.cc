@@ -80,24 +80,13 @@ namespace
     unsigned int n_functions = 0;
   };
 
-  Errors
-  solve(const SplineSpace   &space,
-        const PatchGeometry &geometry,
-        const Solution      &exact)
+  void
+  assemble_cells(const BasisTable             &cells,
+                 const Solution               &exact,
+                 dealii::SparseMatrix<double> &matrix,
+                 dealii::Vector<double>       &load)
   {
-    const unsigned int n = space.n_functions();
-    const auto         cells =
-      tabulate_cells(space, geometry, dealii::QGauss<2>(space.degree() + 2));
-    dealii::DynamicSparsityPattern pattern(n);
-    for (const auto &element : cells.elements)
-      for (const unsigned int i : element.functions)
-        for (const unsigned int j : element.functions)
-          pattern.add(i, j);
-    dealii::SparsityPattern sparsity;
-    sparsity.copy_from(pattern);
-    dealii::SparseMatrix<double> matrix(sparsity);
-    dealii::Vector<double>       u(n);
-    dealii::FullMatrix<double>   cell_matrix;
+    dealii::FullMatrix<double> cell_matrix;
     for (const auto &element : cells.elements)
       {
         const unsigned int n_a = element.functions.size();
@@ -108,7 +97,7 @@ namespace
             const double       source = exact.source(cells.position[point]);
             for (unsigned int a = 0; a < n_a; ++a)
               {
-                u[element.functions[a]] +=
+                load[element.functions[a]] +=
                   element.values[q * n_a + a] * source * cells.JxW[point];
                 for (unsigned int b = 0; b < n_a; ++b)
                   cell_matrix(a, b) += element.gradients[q * n_a + a] *
@@ -118,6 +107,14 @@ namespace
           }
         matrix.add(element.functions, cell_matrix);
       }
+  }
+
+  void
+  add_normal_derivatives(const SplineSpace      &space,
+                         const PatchGeometry    &geometry,
+                         const Solution         &exact,
+                         dealii::Vector<double> &load)
+  {
     std::vector<Edge> loaded{Edge::top};
     if (!space.periodic_x())
       loaded = {Edge::top, Edge::left, Edge::right};
@@ -128,23 +125,20 @@ namespace
         for (const auto &element : table.elements)
           for (unsigned int q = 0; q < table.points_per_element; ++q)
             for (unsigned int a = 0; a < element.functions.size(); ++a)
-              u[element.functions[a]] +=
+              load[element.functions[a]] +=
                 element.values[q * element.functions.size() + a] *
                 (exact.gradient(table.position[element.first_point + q]) *
                  table.normal[element.first_point + q]) *
                 table.JxW[element.first_point + q];
       }
-    for (const unsigned int fixed : space.edge_functions(Edge::bottom))
-      {
-        for (auto entry = matrix.begin(fixed); entry != matrix.end(fixed);
-             ++entry)
-          entry->value() = entry->column() == fixed ? 1. : 0.;
-        u[fixed] = 0.;
-      }
-    dealii::SparseDirectUMFPACK solver;
-    solver.initialize(matrix);
-    solver.solve(u);
+  }
 
+  Errors
+  measure(const SplineSpace            &space,
+          const PatchGeometry          &geometry,
+          const Solution               &exact,
+          const dealii::Vector<double> &u)
+  {
     Errors     errors;
     const auto fine =
       tabulate_cells(space, geometry, dealii::QGauss<2>(space.degree() + 3));
@@ -166,8 +160,39 @@ namespace
         }
     errors.L2          = std::sqrt(errors.L2);
     errors.H1          = std::sqrt(errors.H1);
-    errors.n_functions = n;
+    errors.n_functions = space.n_functions();
     return errors;
+  }
+
+  Errors
+  solve(const SplineSpace   &space,
+        const PatchGeometry &geometry,
+        const Solution      &exact)
+  {
+    const auto cells =
+      tabulate_cells(space, geometry, dealii::QGauss<2>(space.degree() + 2));
+    dealii::DynamicSparsityPattern pattern(space.n_functions());
+    for (const auto &element : cells.elements)
+      for (const unsigned int i : element.functions)
+        for (const unsigned int j : element.functions)
+          pattern.add(i, j);
+    dealii::SparsityPattern sparsity;
+    sparsity.copy_from(pattern);
+    dealii::SparseMatrix<double> matrix(sparsity);
+    dealii::Vector<double>       u(space.n_functions());
+    assemble_cells(cells, exact, matrix, u);
+    add_normal_derivatives(space, geometry, exact, u);
+    for (const unsigned int fixed : space.edge_functions(Edge::bottom))
+      {
+        for (auto entry = matrix.begin(fixed); entry != matrix.end(fixed);
+             ++entry)
+          entry->value() = entry->column() == fixed ? 1. : 0.;
+        u[fixed] = 0.;
+      }
+    dealii::SparseDirectUMFPACK solver;
+    solver.initialize(matrix);
+    solver.solve(u);
+    return measure(space, geometry, exact, u);
   }
 
   /** A wavy patch over [0, 2] x [0, 1] with a flat bottom, and its geometry. */
