@@ -1,0 +1,92 @@
+#include "program.h"
+
+using namespace asperity;
+
+using Commands = Program;
+
+TEST_F(Commands, help_lists_every_command)
+{
+  const Result result = run("--help");
+  EXPECT_EQ(result.status, 0);
+  for (const std::string command : {"asperity run FILE.prm",
+                                    "asperity check FILE.prm",
+                                    "asperity parameters [--markdown]",
+                                    "asperity topography FILE.prm"})
+    EXPECT_NE(result.output.find(command), std::string::npos) << command;
+}
+
+TEST_F(Commands, version_names_the_libraries)
+{
+  const Result result = run("--version");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.output.find("asperity 0."), 0u);
+  EXPECT_NE(result.output.find("deal.II"), std::string::npos);
+}
+
+TEST_F(Commands, the_listed_parameters_are_a_valid_scene)
+{
+  const Result listed = run("parameters");
+  EXPECT_EQ(listed.status, 0);
+  write("all.prm", listed.output);
+  const Result checked = run("check all.prm");
+  EXPECT_EQ(checked.status, 0) << checked.errors;
+}
+
+TEST_F(Commands, the_reference_explains_every_listed_parameter)
+{
+  const Result      listed    = run("parameters");
+  const Result      reference = run("parameters --markdown");
+  const std::string text      = listed.output;
+  unsigned int      n_entries = 0;
+  for (auto at = text.find("set "); at != std::string::npos;
+       at = text.find("\n", at), at = text.find("set ", at))
+    {
+      const std::string key = text.substr(at + 4, text.find(" =", at) - at - 4);
+      EXPECT_NE(reference.output.find("| " + key + " |"), std::string::npos)
+        << key;
+      ++n_entries;
+    }
+  EXPECT_GT(n_entries, 40u);
+}
+
+TEST_F(Commands, wrong_command_lines_are_refused)
+{
+  const auto errors = [&](const std::string &arguments) {
+    const Result result = run(arguments);
+    EXPECT_EQ(result.status, 2) << arguments;
+    return result.errors;
+  };
+  EXPECT_EQ(errors(""),
+            "Error: No parameter file is given; 'asperity --help' lists the "
+            "commands.\n");
+  EXPECT_EQ(errors("chek scene.prm"),
+            "Error: 'chek' is neither a command nor a parameter file (*.prm); "
+            "did you mean 'asperity check'?\n");
+  EXPECT_EQ(errors("scene.txt"),
+            "Error: 'scene.txt' is neither a command nor a parameter file "
+            "(*.prm); 'asperity --help' lists the commands.\n");
+  EXPECT_EQ(errors("check"),
+            "Error: 'asperity check' takes one parameter file, as in 'asperity "
+            "check scene.prm'.\n");
+  EXPECT_EQ(errors("a.prm b.prm"),
+            "Error: One parameter file is expected, but 'b.prm' follows "
+            "'a.prm'.\n");
+  EXPECT_EQ(errors("parameters --html"),
+            "Error: 'asperity parameters' takes no argument but "
+            "'--markdown'.\n");
+  for (const std::string command : {"", "run ", "check ", "topography "})
+    EXPECT_EQ(errors(command + "none.prm"),
+              "Error: The parameter file 'none.prm' does not exist or cannot "
+              "be read.\n")
+      << command;
+}
+
+TEST_F(Commands, one_of_several_ranks_says_what_is_wrong)
+{
+  const Result result = run("none.prm", "mpirun -np 2");
+  EXPECT_EQ(result.status, 2);
+  const std::string sentence = "Error: The parameter file 'none.prm'";
+  const auto        first    = result.errors.find(sentence);
+  ASSERT_NE(first, std::string::npos) << result.errors;
+  EXPECT_EQ(result.errors.find(sentence, first + 1), std::string::npos);
+}
