@@ -1,0 +1,273 @@
+#include <asperity/splines/spline_fit.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "contact_problem.h"
+
+namespace
+{
+  using namespace asperity;
+  using dealii::Point;
+  using dealii::Tensor;
+  using Vector = dealii::Vector<double>;
+
+  constexpr double penalty = 300.;
+
+  double
+  tool_height(const double x)
+  {
+    return 0.99 + 0.05 * std::sin(M_PI * x + 0.4) +
+           0.02 * std::cos(3. * M_PI * x);
+  }
+
+  SplineCurve
+  tool_curve()
+  {
+    return interpolate_periodic_function(tool_height, 0., 2., 40, 4);
+  }
+
+  /** A curved edge, refined to one side, in contact with a flat or a wavy tool;
+   *  one of the four of (formulation, tool). */
+  class ContactTerm
+    : public testing::TestWithParam<std::tuple<ContactFormulation, bool>>
+  {
+  protected:
+    ContactTerm()
+    {
+      auto refined = std::make_shared<SplineSpace>(
+        KnotVector(2, example::equal_steps(0., 2., 8)),
+        KnotVector(2, example::equal_steps(0., 1., 4)));
+      refined->refine_to_level(1, [](const Point<2> &low, const Point<2> &) {
+        return low[0] < 0.7 && low[1] > 0.7;
+      });
+      space    = refined;
+      geometry = PatchGeometry::from_map(*space, [](const Point<2> &p) {
+        return Point<2>(p[0] + 0.05 * p[1] * p[1],
+                        p[1] * (1. + 0.02 * p[0] * (2. - p[0])));
+      });
+      std::shared_ptr<const RigidObstacle> obstacle;
+      if (std::get<1>(GetParam()))
+        obstacle =
+          std::make_shared<CurveObstacle>(tool_curve(), CurveSide::right);
+      else
+        obstacle = std::make_shared<example::Ceiling>(1.01);
+      ContactOptions options;
+      options.formulation = std::get<0>(GetParam());
+      options.penalty     = penalty;
+      contact             = std::make_unique<ContactAssembler>(
+        space, geometry, Edge::top, obstacle, options);
+      Tensor<1, 2> offset;
+      offset[0] = 0.13;
+      offset[1] = 0.01;
+      contact->set_obstacle_offset(offset);
+
+      u.reinit(2 * space->n_functions());
+      direction.reinit(u);
+      std::mt19937                           generator(3);
+      std::uniform_real_distribution<double> uniform(-1., 1.);
+      for (unsigned int i = 0; i < u.size(); ++i)
+        {
+          u(i)         = 0.004 * uniform(generator);
+          direction(i) = uniform(generator);
+        }
+      std::vector<double> multipliers = contact->multipliers();
+      for (double &lambda : multipliers)
+        lambda = 1.5 * (1. + uniform(generator));
+      contact->set_multipliers(multipliers);
+    }
+
+    Vector
+    residual(const Vector &at)
+    {
+      Vector R(at.size());
+      contact->add(at, R, nullptr);
+      return R;
+    }
+
+    /** Pressures of the last evaluation: a value a function or a point. */
+    std::vector<double>
+    active_pressures()
+    {
+      const std::vector<double> multipliers = contact->multipliers();
+      contact->augment();
+      const std::vector<double> pressures = contact->multipliers();
+      contact->set_multipliers(multipliers);
+      return pressures;
+    }
+
+    std::vector<bool>
+    active_set()
+    {
+      std::vector<bool> active;
+      for (const double p : active_pressures())
+        active.push_back(p > 0.);
+      return active;
+    }
+
+    /** The potential in the class's documentation, from the gaps alone. */
+    double
+    potential(const Vector &at)
+    {
+      residual(at);
+      const BasisTable          &table  = contact->table();
+      const std::vector<double> &lambda = contact->multipliers();
+      double                     sum    = 0.;
+      const auto add = [&](const double weight, const double l, double g) {
+        const double p = std::max(0., l - penalty * g);
+        sum += weight * p * p / (2. * penalty);
+      };
+      if (std::get<0>(GetParam()) == ContactFormulation::gauss_point)
+        {
+          for (unsigned int q = 0; q < table.JxW.size(); ++q)
+            add(table.JxW[q], lambda[q], contact->gaps()[q].gap);
+          return sum;
+        }
+      const auto          functions = space->edge_functions(Edge::top);
+      std::vector<double> W(space->n_functions()), Wg(space->n_functions());
+      for (const auto &element : table.elements)
+        for (unsigned int q = 0; q < table.points_per_element; ++q)
+          for (unsigned int a = 0; a < element.functions.size(); ++a)
+            {
+              const unsigned int point = element.first_point + q;
+              const double       NJ =
+                element.values[q * element.functions.size() + a] *
+                table.JxW[point];
+              W[element.functions[a]] += NJ;
+              Wg[element.functions[a]] += NJ * contact->gaps()[point].gap;
+            }
+      for (unsigned int i = 0; i < functions.size(); ++i)
+        add(W[functions[i]], lambda[i], Wg[functions[i]] / W[functions[i]]);
+      return sum;
+    }
+
+    std::shared_ptr<const SplineSpace> space;
+    PatchGeometry                      geometry;
+    std::unique_ptr<ContactAssembler>  contact;
+    Vector                             u, direction;
+  };
+
+  TEST_P(ContactTerm, ResidualIsTheDerivativeOfThePotential)
+  {
+    const double step   = 1e-5;
+    const Vector R      = residual(u);
+    const auto   active = active_set();
+    Vector       plus(u), minus(u);
+    plus.add(step, direction);
+    minus.add(-step, direction);
+    const double difference =
+      (potential(plus) - potential(minus)) / (2. * step);
+    EXPECT_NEAR(R * direction, difference, 1e-7 * R.l2_norm());
+    // Some of the edge is in contact, some is not.
+    EXPECT_GT(std::count(active.begin(), active.end(), true), 3);
+    EXPECT_GT(std::count(active.begin(), active.end(), false), 1);
+  }
+
+  TEST_P(ContactTerm, TangentIsTheDerivativeOfTheResidual)
+  {
+    dealii::DynamicSparsityPattern couplings(u.size());
+    contact->add_couplings(couplings);
+    dealii::SparsityPattern pattern;
+    pattern.copy_from(couplings);
+    dealii::SparseMatrix<double> tangent(pattern);
+    Vector                       R(u.size()), product(u.size());
+    contact->add(u, R, &tangent);
+    const auto active = active_set();
+    tangent.vmult(product, direction);
+
+    const double step = 1e-6;
+    Vector       plus(u), minus(u);
+    plus.add(step, direction);
+    minus.add(-step, direction);
+    Vector difference = residual(plus);
+    ASSERT_EQ(active_set(), active) << "the step crosses a kink";
+    difference -= residual(minus);
+    ASSERT_EQ(active_set(), active) << "the step crosses a kink";
+    difference /= 2. * step;
+    difference -= product;
+    EXPECT_LT(difference.linfty_norm(), 1e-7 * product.linfty_norm());
+    for (unsigned int i = 0; i < u.size(); ++i)
+      for (auto entry = tangent.begin(i); entry != tangent.end(i); ++entry)
+        ASSERT_NEAR(entry->value(),
+                    tangent(entry->column(), i),
+                    1e-12 * tangent.linfty_norm());
+  }
+
+  TEST_P(ContactTerm, ForcesAndMomentsOnBodyAndObstacleBalance)
+  {
+    const Vector R = residual(u);
+    // Coefficients of the reference positions: exact, as the map is the
+    // identity plus an offset in the space.
+    const auto X = space->project(
+      [](const Point<2> &p) {
+        return std::vector<double>{p[0], p[1]};
+      },
+      2);
+    Tensor<1, 2> body_force;
+    double       body_moment = 0., scale = 0.;
+    for (unsigned int a = 0; a < space->n_functions(); ++a)
+      {
+        const Tensor<1, 2> f = Point<2>(-R(2 * a), -R(2 * a + 1));
+        const double       x = X[0][a] + geometry.offset[a][0] + u(2 * a);
+        const double       y = X[1][a] + geometry.offset[a][1] + u(2 * a + 1);
+        body_force += f;
+        body_moment += x * f[1] - y * f[0];
+        scale += f.norm();
+      }
+    // On the obstacle, at the closest points, found anew.
+    const ClosestPoint search(tool_curve(), CurveSide::right);
+    const Tensor<1, 2> offset = Point<2>(0.13, 0.01);
+    Tensor<1, 2>       obstacle_force;
+    double             obstacle_moment = 0.;
+    for (unsigned int q = 0; q < contact->positions().size(); ++q)
+      {
+        const Point<2> x = contact->positions()[q];
+        Point<2>       foot(x[0], 1.01 + offset[1]);
+        Tensor<1, 2>   normal = Point<2>(0., -1.);
+        if (std::get<1>(GetParam()))
+          {
+            const Projection p = search.project(x - offset);
+            foot               = p.point + offset;
+            normal             = p.normal;
+          }
+        const Tensor<1, 2> f =
+          -contact->pressure()[q] * contact->table().JxW[q] * normal;
+        obstacle_force += f;
+        obstacle_moment += foot[0] * f[1] - foot[1] * f[0];
+      }
+    ASSERT_GT(scale, 0.1);
+    EXPECT_LT((body_force + obstacle_force).norm(), 1e-12 * scale);
+    EXPECT_NEAR(body_moment, -obstacle_moment, 1e-12 * scale);
+    EXPECT_LT((contact->state().force - body_force).norm(), 1e-12 * scale);
+  }
+
+  TEST_P(ContactTerm, NoForceActsWhereEveryGapIsOpen)
+  {
+    contact->set_multipliers(
+      std::vector<double>(contact->multipliers().size()));
+    Tensor<1, 2> offset;
+    offset[1] = 0.2;
+    contact->set_obstacle_offset(offset);
+    EXPECT_EQ(residual(u).linfty_norm(), 0.);
+    const ContactState state = contact->state();
+    EXPECT_EQ(state.contact_fraction, 0.);
+    EXPECT_EQ(state.max_pressure, 0.);
+    EXPECT_LT(state.max_penetration, 1e-300);
+    EXPECT_GT(state.mean_gap, 0.05);
+  }
+
+  INSTANTIATE_TEST_SUITE_P(
+    ,
+    ContactTerm,
+    testing::Combine(testing::Values(ContactFormulation::mortar,
+                                     ContactFormulation::gauss_point),
+                     testing::Bool()),
+    [](const auto &info) {
+      return std::string(std::get<0>(info.param) == ContactFormulation::mortar ?
+                           "Mortar" :
+                           "GaussPoint") +
+             (std::get<1>(info.param) ? "OnWavyTool" : "OnFlatTool");
+    });
+} // namespace

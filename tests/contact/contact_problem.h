@@ -1,0 +1,98 @@
+#ifndef asperity_tests_contact_contact_problem_h
+#define asperity_tests_contact_contact_problem_h
+
+#include <asperity/contact/contact_assembler.h>
+#include <asperity/contact/curve_obstacle.h>
+#include <asperity/solid/equilibrium.h>
+#include <asperity/solid/solid_assembler.h>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace example
+{
+  /** The half-plane above y = height; the body is below. */
+  class Ceiling : public asperity::RigidObstacle
+  {
+  public:
+    explicit Ceiling(const double height);
+
+    asperity::GapPoint
+    gap(const dealii::Point<2> &x, double &hint) const override;
+
+  private:
+    double height;
+  };
+
+  class Cylinder : public asperity::RigidObstacle
+  {
+  public:
+    Cylinder(const dealii::Point<2> &center, const double radius);
+
+    asperity::GapPoint
+    gap(const dealii::Point<2> &x, double &hint) const override;
+
+  private:
+    dealii::Point<2> center;
+    double           radius;
+  };
+
+  /** The graph of an L-periodic function as a tool above the body. */
+  std::shared_ptr<const asperity::CurveObstacle>
+  periodic_tool(const std::function<double(double)> &height,
+                const double                         period,
+                const unsigned int                   n_spans);
+
+  /** Rows from 0 to height, the top one about `top`, growing downwards. */
+  std::vector<double>
+  graded_rows(const double height, const double top, const double growth);
+
+  std::vector<double>
+  equal_steps(const double begin, const double end, const unsigned int n);
+
+  enum class Support
+  {
+    clamped_bottom,
+    rollers ///< bottom without vertical, left side without lateral motion
+  };
+
+  /** An elastic body under a rigid obstacle, quasi-static. */
+  class ContactProblem
+  {
+  public:
+    ContactProblem(std::shared_ptr<const asperity::SplineSpace>   space,
+                   std::shared_ptr<const asperity::MaterialLaw>   law,
+                   std::shared_ptr<const asperity::RigidObstacle> obstacle,
+                   const asperity::ContactOptions                &options,
+                   const Support support = Support::clamped_bottom);
+
+    /** Moves the obstacle to the offset (x, y) and finds the balance. */
+    asperity::ConvergenceReport
+    solve(const double x, const double y);
+
+    /**
+     * Lowers the obstacle until it presses with a force, by the secant method.
+     * @param force [N/m], positive
+     * @param depth where to start [m], positive downwards
+     * @return the depth, or nothing but NaN if it was not found
+     */
+    double
+    press(const double force, const double depth);
+
+    /** Vertical force of the body on the obstacle [N/m]. */
+    double
+    force() const;
+
+    dealii::Vector<double>                       u;
+    asperity::NewtonOptions                      options;
+    asperity::NewtonStatistics                   statistics;
+    asperity::ConvergenceReport                  last;
+    std::shared_ptr<const asperity::SplineSpace> space;
+    std::unique_ptr<asperity::SolidAssembler>    solid;
+    std::unique_ptr<asperity::ContactAssembler>  contact;
+    std::unique_ptr<asperity::Equilibrium>       equilibrium;
+  };
+} // namespace example
+
+#endif

@@ -1,0 +1,137 @@
+#include <asperity/constitutive/hyperelasticity.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact_problem.h"
+
+namespace
+{
+  using namespace asperity;
+  using dealii::Point;
+
+  ElasticParameters
+  elasticity()
+  {
+    ElasticParameters parameters;
+    parameters.young_modulus = 1e6;
+    parameters.poisson_ratio = 0.3;
+    return parameters;
+  }
+
+  /**
+   * Pressure of a neo-Hooke block of height 1 under a ceiling that has come
+   * down by `shift`, sides free in one direction: P11 = 0 gives the lateral
+   * stretch, -P22 = penalty (shift - (1 - stretch)) the vertical one.
+   */
+  double
+  exact_pressure(const double shift, const double penalty)
+  {
+    const double lambda = elasticity().lame_lambda(),
+                 mu     = elasticity().shear_modulus();
+    const auto stress   = [&](const double a, const double b) {
+      return mu * (a - 1. / a) + lambda * std::log(a * b) / a;
+    };
+    const auto lateral = [&](const double b) {
+      double low = 0.5, high = 2.;
+      for (unsigned int i = 0; i < 200; ++i)
+        (stress(0.5 * (low + high), b) < 0. ? low : high) = 0.5 * (low + high);
+      return low;
+    };
+    double low = 0.5, high = 1.;
+    for (unsigned int i = 0; i < 200; ++i)
+      {
+        const double b = 0.5 * (low + high);
+        const double p = penalty * (shift - (1. - b));
+        // A longer block presses less than the penalty asks.
+        (-stress(b, lateral(b)) > p ? low : high) = b;
+      }
+    return penalty * (shift - (1. - low));
+  }
+
+  std::shared_ptr<SplineSpace>
+  block(const unsigned int degree, const bool refined)
+  {
+    auto space = std::make_shared<SplineSpace>(
+      KnotVector(degree, {0., 0.3, 0.5, 0.9, 1.3, 1.5, 2.}),
+      KnotVector(degree, {0., 0.3, 0.6, 0.8, 1.}));
+    if (refined)
+      space->refine_to_level(2, [](const Point<2> &low, const Point<2> &high) {
+        return low[0] < 0.35 && high[1] > 0.9;
+      });
+    return space;
+  }
+
+  /** (degree, formulation, locally refined edge) */
+  class PatchTest : public testing::TestWithParam<
+                      std::tuple<unsigned int, ContactFormulation, bool>>
+  {};
+
+  TEST_P(PatchTest, PressureOfAUniformlyPressedBlockIsUniform)
+  {
+    const auto [degree, formulation, refined] = GetParam();
+    ContactOptions options;
+    options.formulation = formulation;
+    options.penalty     = 1e8;
+    example::ContactProblem problem(block(degree, refined),
+                                    std::make_shared<NeoHooke>(elasticity()),
+                                    std::make_shared<example::Ceiling>(1.),
+                                    options,
+                                    example::Support::rollers);
+    problem.options.tolerance      = 1e-8;
+    const ConvergenceReport report = problem.solve(0., -0.01);
+    ASSERT_TRUE(report.converged) << report.reason;
+    const auto  &p       = problem.contact->pressure();
+    const auto   extreme = std::minmax_element(p.begin(), p.end());
+    const double exact   = exact_pressure(0.01, options.penalty);
+    EXPECT_LT(*extreme.second - *extreme.first, 1e-10 * exact);
+    EXPECT_NEAR(*extreme.second, exact, 1e-10 * exact);
+    EXPECT_NEAR(problem.force(), 2. * exact, 1e-10 * exact);
+    EXPECT_DOUBLE_EQ(problem.contact->state().contact_fraction, 1.);
+  }
+
+  INSTANTIATE_TEST_SUITE_P(
+    ,
+    PatchTest,
+    testing::Combine(testing::Values(1u, 2u, 3u),
+                     testing::Values(ContactFormulation::mortar,
+                                     ContactFormulation::gauss_point),
+                     testing::Bool()),
+    [](const auto &info) {
+      return std::string(std::get<1>(info.param) == ContactFormulation::mortar ?
+                           "Mortar" :
+                           "GaussPoint") +
+             "Degree" + std::to_string(std::get<0>(info.param)) +
+             (std::get<2>(info.param) ? "Refined" : "Uniform");
+    });
+
+  TEST(ActiveSet, SettlesWhenFlatBodiesTouchWithoutLoad)
+  {
+    // All gaps are zero at the start, and the ceiling comes and goes by less
+    // and more than round-off: the active set must not flip for ever.
+    for (const ContactFormulation formulation :
+         {ContactFormulation::mortar, ContactFormulation::gauss_point})
+      {
+        ContactOptions options;
+        options.formulation = formulation;
+        options.penalty     = 1e9;
+        example::ContactProblem problem(block(2, true),
+                                        std::make_shared<NeoHooke>(
+                                          elasticity()),
+                                        std::make_shared<example::Ceiling>(1.),
+                                        options,
+                                        example::Support::rollers);
+        // Rounding a position costs penalty times 1e-16 times the length.
+        problem.options.tolerance = 1e-6;
+        for (const double shift :
+             {0., 1e-15, -1e-15, -1e-9, 1e-9, -1e-4, 1e-4, -1e-3, 0.})
+          {
+            const ConvergenceReport report = problem.solve(0., shift);
+            EXPECT_TRUE(report.converged) << shift << ": " << report.reason;
+            EXPECT_LE(report.iterations, 3u) << shift;
+          }
+      }
+  }
+} // namespace
