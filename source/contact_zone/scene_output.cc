@@ -17,9 +17,6 @@ namespace asperity
 
   namespace
   {
-    /** Everything is drawn twice side by side, as in the seed's figure 3. */
-    constexpr unsigned int n_drawn_periods = 2;
-
     std::string
     made(const std::string &directory)
     {
@@ -107,17 +104,14 @@ namespace asperity
                                  {"von Mises stress [Pa]",
                                   scene.chip->mises_stress()}};
     chip.write(step, time, [&](std::ostream &out) {
-      chip_output->write(out, fields, time, step, n_drawn_periods);
+      chip_output->write(out, fields, time, step);
     });
 
-    // The tool stands above all places where the chip is drawn.
     Polyline           curve;
-    const unsigned int n =
-      4 * n_drawn_periods * scene.tool_surface.curve.knot_vector().n_spans();
-    const double shift = run.protocol().displacement(time);
+    const unsigned int n = 4 * scene.tool_surface.curve.knot_vector().n_spans();
     for (unsigned int i = 0; i <= n; ++i)
       {
-        const double x = shift + n_drawn_periods * scene.length * i / n;
+        const double x = scene.length * i / n;
         curve.points.emplace_back(x, scene.tool_surface.height(x));
       }
     tool.write(step, time, [&](std::ostream &out) {

@@ -9,6 +9,10 @@ namespace asperity
   {
     using Vector = dealii::Vector<double>;
 
+    /** Residual norm over tolerance from which one more iteration mostly
+     *  converges. */
+    constexpr double near_end = 50.;
+
     /** The search along one direction: u + a d. */
     class LineSearch
     {
@@ -38,10 +42,13 @@ namespace asperity
           {
             u = u0;
             u.add(a, d);
-            const bool first = (trial == 0);
+            // The full step is mostly accepted and needs a tangent next, unless
+            // the iteration is about to end.
+            const bool with_tangent =
+              trial == 0 && norm > near_end * options.tolerance;
             const bool exists =
-              first ? system.linearize(u, R) : system.residual(u, R);
-            ++(first ? statistics.linearizations : statistics.residuals);
+              with_tangent ? system.linearize(u, R) : system.residual(u, R);
+            ++(with_tangent ? statistics.linearizations : statistics.residuals);
             if (!exists)
               {
                 high      = a;
@@ -52,7 +59,7 @@ namespace asperity
             const double s = R * d;
             if (acceptable(s, s0, R.l2_norm(), norm))
               {
-                if (!first)
+                if (!with_tangent && R.l2_norm() > options.tolerance)
                   {
                     ++statistics.linearizations;
                     return system.linearize(u, R);
