@@ -30,9 +30,14 @@ namespace asperity
       const bool is_new = row_start.empty();
       if (is_new)
         build_pattern(matrix);
-      std::size_t k = 0;
+      std::size_t k    = 0;
+      double      zero = 0.;
       for (const auto &entry : matrix)
-        values[slot[k++]] = entry.value();
+        {
+          values[slot[k++]] = entry.value();
+          zero += 0. * entry.value();
+        }
+      is_finite = (zero == 0.);
       return is_new;
     }
 
@@ -44,6 +49,7 @@ namespace asperity
 
     std::vector<int>    row_start, column;
     std::vector<double> values;
+    bool                is_finite = true; ///< the values of the last update
 
   private:
     void

@@ -57,16 +57,19 @@ namespace asperity
                                     &symbolic,
                                     control,
                                     nullptr) != UMFPACK_OK)
-              return false;
+              {
+                rows.reset();
+                return false;
+              }
           }
         free_numeric();
-        return umfpack_di_numeric(rows.row_start.data(),
-                                  rows.column.data(),
-                                  rows.values.data(),
-                                  symbolic,
-                                  &numeric,
-                                  control,
-                                  nullptr) == UMFPACK_OK;
+        return rows.is_finite && umfpack_di_numeric(rows.row_start.data(),
+                                                    rows.column.data(),
+                                                    rows.values.data(),
+                                                    symbolic,
+                                                    &numeric,
+                                                    control,
+                                                    nullptr) == UMFPACK_OK;
       }
 
       void
@@ -147,7 +150,7 @@ namespace asperity
             cholmod_free_factor(&factor, &common);
             factor = cholmod_analyze(&view, &common);
           }
-        if (factor == nullptr)
+        if (factor == nullptr || !rows.is_finite)
           return false;
         cholmod_factorize(&view, factor, &common);
         is_definite = common.status == CHOLMOD_OK && factor->minor == factor->n;
@@ -231,7 +234,7 @@ namespace asperity
                                    rows.column.data(),
                                    &common);
           }
-        if (symbolic == nullptr)
+        if (symbolic == nullptr || !rows.is_finite)
           return false;
         if (numeric != nullptr)
           {

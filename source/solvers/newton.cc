@@ -11,7 +11,7 @@ namespace asperity
 
     /** Residual norm over tolerance from which one more iteration mostly
      *  converges. */
-    constexpr double near_end = 50.;
+    constexpr double near_end = 200.;
 
     /** The search along one direction: u + a d. */
     class LineSearch

@@ -1,0 +1,132 @@
+#include <asperity/solvers/direct_solver.h>
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+  using namespace asperity;
+  using Vector = dealii::Vector<double>;
+  using Matrix = dealii::SparseMatrix<double>;
+
+  const DirectSolverKind kinds[] = {DirectSolverKind::umfpack,
+                                    DirectSolverKind::klu};
+
+  constexpr unsigned int n = 60;
+
+  /** Couplings of a chain with some far ones, one of them one-sided. */
+  dealii::SparsityPattern
+  pattern()
+  {
+    dealii::DynamicSparsityPattern couplings(n);
+    for (unsigned int i = 0; i < n; ++i)
+      for (const unsigned int j :
+           {i, (i + 1) % n, (i + n - 1) % n, (i + 7) % n})
+        couplings.add(i, j);
+    dealii::SparsityPattern result;
+    result.copy_from(couplings);
+    return result;
+  }
+
+  /** An indefinite and unsymmetric matrix. */
+  void
+  fill(Matrix &matrix, const double phase)
+  {
+    for (unsigned int i = 0; i < n; ++i)
+      for (auto entry = matrix.begin(i); entry != matrix.end(i); ++entry)
+        entry->value() = (entry->column() == i ? (i % 3 == 0 ? -6. : 5.) : 0.) +
+                         std::sin(phase + i + 3. * entry->column());
+  }
+
+  double
+  error_of_solution(const DirectSolver &solver, const Matrix &matrix)
+  {
+    Vector exact(n), rhs(n);
+    for (unsigned int i = 0; i < n; ++i)
+      exact(i) = std::cos(i);
+    matrix.vmult(rhs, exact);
+    solver.solve(rhs);
+    rhs -= exact;
+    return rhs.linfty_norm();
+  }
+} // namespace
+
+
+
+TEST(DirectSolver, SolvesUnsymmetricIndefiniteSystemsAndRefactorizes)
+{
+  const auto sparsity = pattern();
+  Matrix     matrix(sparsity);
+  for (const DirectSolverKind kind : kinds)
+    {
+      const auto solver = make_direct_solver(kind);
+      for (const double phase : {0., 1., 2.5})
+        {
+          fill(matrix, phase);
+          ASSERT_TRUE(solver->factorize(matrix));
+          EXPECT_LT(error_of_solution(*solver, matrix), 1e-11);
+        }
+    }
+}
+
+
+
+TEST(DirectSolver, SingularMatricesAreReportedAndDoNoLastingHarm)
+{
+  const auto sparsity = pattern();
+  Matrix     matrix(sparsity);
+  for (const DirectSolverKind kind : kinds)
+    {
+      const auto solver = make_direct_solver(kind);
+      fill(matrix, 0.);
+      for (auto entry = matrix.begin(9); entry != matrix.end(9); ++entry)
+        entry->value() = 0.;
+      EXPECT_FALSE(solver->factorize(matrix));
+      fill(matrix, 0.);
+      ASSERT_TRUE(solver->factorize(matrix));
+      EXPECT_LT(error_of_solution(*solver, matrix), 1e-11);
+    }
+}
+
+
+
+TEST(DirectSolver, MatricesThatAreNotFiniteAreReported)
+{
+  const auto sparsity = pattern();
+  Matrix     matrix(sparsity);
+  for (const DirectSolverKind kind : kinds)
+    {
+      const auto solver = make_direct_solver(kind);
+      fill(matrix, 0.);
+      matrix.begin(4)->value() = std::nan("");
+      EXPECT_FALSE(solver->factorize(matrix));
+    }
+}
+
+
+
+TEST(DirectSolver, FollowsANewSparsityPatternAfterReset)
+{
+  const auto sparsity = pattern();
+  Matrix     matrix(sparsity);
+  for (const DirectSolverKind kind : kinds)
+    {
+      const auto solver = make_direct_solver(kind);
+      fill(matrix, 0.);
+      ASSERT_TRUE(solver->factorize(matrix));
+      dealii::DynamicSparsityPattern couplings(n);
+      for (unsigned int i = 0; i < n; ++i)
+        couplings.add(i, i);
+      dealii::SparsityPattern diagonal_sparsity;
+      diagonal_sparsity.copy_from(couplings);
+      Matrix diagonal(diagonal_sparsity);
+      for (unsigned int i = 0; i < n; ++i)
+        diagonal.set(i, i, 2. + i);
+      solver->reset();
+      ASSERT_TRUE(solver->factorize(diagonal));
+      EXPECT_LT(error_of_solution(*solver, diagonal), 1e-13);
+    }
+}
