@@ -68,14 +68,6 @@ namespace asperity
       DistanceCertificate *certificate;
       int                  turn;
     };
-
-
-
-    double
-    cross(const double ax, const double ay, const double bx, const double by)
-    {
-      return ax * by - ay * bx;
-    }
   } // namespace
 
 
@@ -92,23 +84,14 @@ namespace asperity
               const DistanceMinimizer &minimizer,
               const CurveLocation     &start) const;
 
-    Projection
-    describe(const DistanceMinimizer::Result &result,
-             const DistanceMinimizer         &minimizer,
-             const Point<2>                  &point) const;
-
-    void
-    describe_piece_end(const DistanceMinimizer::Result &result,
-                       const DistanceMinimizer         &minimizer,
-                       const Point<2>                  &point,
-                       Projection                      &projection) const;
-
     SplineCurve                 curve;
     CurvePieces                 pieces;
-    double                      side; ///< 1 if the left side is free, else -1
+    CurveSide                   side;
     dealii::RTree<IndexedBox>   boxes;
     dealii::RTree<IndexedPoint> seeds;
     std::vector<CurveLocation>  seed_locations;
+
+    double far = 0.; ///< a good guess would be closer [m]
 
     // Along the period: unit vector, its length, and the reach of one turn.
     Tensor<1, 2> direction;
@@ -121,7 +104,7 @@ namespace asperity
                                                const CurveSide    free_side)
     : curve(curve)
     , pieces(curve)
-    , side(free_side == CurveSide::left ? 1. : -1.)
+    , side(free_side)
   {
     period = curve.period().norm();
     if (period > 0.)
@@ -158,6 +141,7 @@ namespace asperity
             seed_locations.push_back(location);
           }
       }
+    far   = pieces.extent() / 4.;
     boxes = dealii::pack_rtree(all_boxes);
     seeds = dealii::pack_rtree(all_seeds);
   }
@@ -200,8 +184,16 @@ namespace asperity
                                           const DistanceMinimizer &minimizer,
                                           const CurveLocation     &start) const
   {
-    const DistanceMinimizer::Result known = minimizer.minimize(start);
-    DistanceCertificate             certificate(
+    DistanceMinimizer::Result known = minimizer.minimize(start);
+    // The certificate costs the more the farther the point found: do not pay
+    // for a bad guess.
+    if (known.jet.squared_distance() > far * far)
+      {
+        const auto other = minimizer.minimize(seed(point));
+        if (other.jet.squared_distance() < known.jet.squared_distance())
+          known = other;
+      }
+    DistanceCertificate certificate(
       pieces, point[0], point[1], minimizer, known);
 
     const double reach =
@@ -226,105 +218,11 @@ namespace asperity
                                        Point<2>(shifted + margin)))),
                       examiner);
         }
-    Projection projection = describe(certificate.best(), minimizer, point);
+    Projection projection = minimizer.describe(certificate.best(), side);
     projection.iterations = known.iterations;
     projection.certified  = all_turns;
     projection.converged  = projection.converged || all_turns;
     return projection;
-  }
-
-
-
-  Projection
-  ClosestPoint::Implementation::describe(
-    const DistanceMinimizer::Result &result,
-    const DistanceMinimizer         &minimizer,
-    const Point<2>                  &point) const
-  {
-    const DistanceJet &jet = result.jet;
-    Projection         projection;
-    projection.parameter  = pieces.parameter(result.location);
-    projection.point      = Point<2>(point[0] + jet.rx, point[1] + jet.ry);
-    projection.method     = result.method;
-    projection.iterations = result.iterations;
-    projection.converged  = (result.method != Projection::Method::none);
-
-    const double speed = std::sqrt(jet.squared_speed());
-    // Where the curve stops for a moment its direction is that of the second
-    // derivative.
-    double tx = jet.x1, ty = jet.y1, norm = speed;
-    if (!(speed > 0.))
-      {
-        tx   = -result.location.s * jet.x2;
-        ty   = -result.location.s * jet.y2;
-        norm = std::hypot(tx, ty);
-      }
-    if (norm > 0.)
-      {
-        projection.tangent[0] = tx / norm;
-        projection.tangent[1] = ty / norm;
-      }
-    projection.speed = speed / pieces.parameter_scale(result.location.piece);
-    projection.normal[0] = -side * projection.tangent[1];
-    projection.normal[1] = side * projection.tangent[0];
-    if (speed > 0.)
-      projection.curvature =
-        side * cross(jet.x1, jet.y1, jet.x2, jet.y2) / (speed * speed * speed);
-    projection.distance =
-      -(jet.rx * projection.normal[0] + jet.ry * projection.normal[1]);
-
-    if (std::abs(result.location.s) == 1.)
-      describe_piece_end(result, minimizer, point, projection);
-    return projection;
-  }
-
-
-
-  void
-  ClosestPoint::Implementation::describe_piece_end(
-    const DistanceMinimizer::Result &result,
-    const DistanceMinimizer         &minimizer,
-    const Point<2>                  &point,
-    Projection                      &projection) const
-  {
-    const DistanceJet &jet      = result.jet;
-    const double       distance = std::sqrt(jet.squared_distance());
-    const double       slip =
-      std::abs(jet.rx * projection.tangent[0] + jet.ry * projection.tangent[1]);
-    const bool normal_here =
-      slip <= 1e-10 * distance + 4. * minimizer.position_noise();
-
-    Tensor<1, 2>  mean_normal = projection.normal;
-    CurveLocation other       = result.location;
-    const int     sense       = (result.location.s > 0. ? 1 : -1);
-    const bool    end         = !pieces.step_over(other, sense);
-    if (!end)
-      {
-        const DistanceJet neighbor = pieces.jet(other, point[0], point[1]);
-        const double      speed    = std::sqrt(neighbor.squared_speed());
-        if (!(speed > 0.))
-          return;
-        const Tensor<1, 2> normal =
-          Point<2>(-side * neighbor.y1 / speed, side * neighbor.x1 / speed);
-        if (normal * projection.normal > 1. - 1e-12)
-          return; // no kink
-        mean_normal += normal;
-        if (sense > 0) // the right side is the neighbour's
-          {
-            projection.tangent[0] = neighbor.x1 / speed;
-            projection.tangent[1] = neighbor.y1 / speed;
-          }
-      }
-    else if (normal_here)
-      return;
-
-    projection.place = (end ? Projection::Place::end : Projection::Place::kink);
-    const Tensor<1, 2> to_point = Point<2>(-jet.rx, -jet.ry);
-    projection.distance = (to_point * mean_normal < 0. ? -distance : distance);
-    if (distance > 0.)
-      projection.normal = to_point / projection.distance;
-    else if (mean_normal.norm() > 0.)
-      projection.normal = mean_normal / mean_normal.norm();
   }
 
 
@@ -367,9 +265,17 @@ namespace asperity
     const DistanceMinimizer minimizer(implementation->pieces,
                                       point[0],
                                       point[1]);
-    return implementation->certified(point,
-                                     minimizer,
-                                     implementation->pieces.locate(guess));
+    CurveLocation           start = implementation->pieces.locate(guess);
+    if (implementation->period > 0.)
+      {
+        // the turn of the guess may be any
+        const DistanceJet jet =
+          implementation->pieces.jet(start, point[0], point[1]);
+        const Tensor<1, 2> way = Point<2>(-jet.rx, -jet.ry);
+        start.turn += int(std::lround(way * implementation->direction /
+                                      implementation->period));
+      }
+    return implementation->certified(point, minimizer, start);
   }
 
 
@@ -380,9 +286,8 @@ namespace asperity
     const DistanceMinimizer minimizer(implementation->pieces,
                                       point[0],
                                       point[1]);
-    return implementation->describe(minimizer.minimize(
-                                      implementation->pieces.locate(guess)),
-                                    minimizer,
-                                    point);
+    return minimizer.describe(minimizer.minimize(
+                                implementation->pieces.locate(guess)),
+                              implementation->side);
   }
 } // namespace asperity

@@ -49,7 +49,9 @@ namespace asperity
       throw InputError("Closest points are sought on a curve of degree " +
                        std::to_string(p) + ", but at most " +
                        std::to_string(max_degree) + " is supported.");
-    for (const BezierPiece &piece : curve.bezier_pieces())
+    const auto       bezier_pieces = curve.bezier_pieces();
+    dealii::Point<2> low = bezier_pieces[0].points[0], high = low;
+    for (const BezierPiece &piece : bezier_pieces)
       {
         middle.push_back((piece.begin + piece.end) / 2.);
         half_width.push_back((piece.end - piece.begin) / 2.);
@@ -62,8 +64,14 @@ namespace asperity
             largest_coordinate = std::max({largest_coordinate,
                                            std::abs(piece.points[i][0]),
                                            std::abs(piece.points[i][1])});
+            for (unsigned int d = 0; d < 2; ++d)
+              {
+                low[d]  = std::min(low[d], piece.points[i][d]);
+                high[d] = std::max(high[d], piece.points[i][d]);
+              }
           }
       }
+    box_diagonal = low.distance(high);
     power_table.resize(bernstein_table.size());
     for (unsigned int piece = 0; piece < size(); ++piece)
       for (unsigned int component = 0; component < 3; ++component)

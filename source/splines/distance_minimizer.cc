@@ -5,8 +5,19 @@
 
 namespace asperity
 {
+  using dealii::Point;
+  using dealii::Tensor;
+
   namespace
   {
+    double
+    cross(const double ax, const double ay, const double bx, const double by)
+    {
+      return ax * by - ay * bx;
+    }
+
+
+
     // A Newton step of relative length 1e-8 leaves an error of 1e-16, as long
     // as the Hessian is not nearly singular (point near the evolute).
     constexpr double newton_tolerance = 1e-8;
@@ -257,5 +268,95 @@ namespace asperity
           break;
       }
     return result;
+  }
+
+
+
+  Projection
+  DistanceMinimizer::describe(const Result   &result,
+                              const CurveSide free_side) const
+  {
+    const DistanceJet &jet  = result.jet;
+    const double       side = (free_side == CurveSide::left ? 1. : -1.);
+    Projection         projection;
+    projection.parameter  = pieces.parameter(result.location);
+    projection.point      = Point<2>(px + jet.rx, py + jet.ry);
+    projection.method     = result.method;
+    projection.iterations = result.iterations;
+    projection.converged  = (result.method != Projection::Method::none);
+
+    const double speed = std::sqrt(jet.squared_speed());
+    // Where the curve stops for a moment its direction is that of the second
+    // derivative.
+    double tx = jet.x1, ty = jet.y1, norm = speed;
+    if (!(speed > 0.))
+      {
+        tx   = -result.location.s * jet.x2;
+        ty   = -result.location.s * jet.y2;
+        norm = std::hypot(tx, ty);
+      }
+    if (norm > 0.)
+      {
+        projection.tangent[0] = tx / norm;
+        projection.tangent[1] = ty / norm;
+      }
+    projection.speed = speed / pieces.parameter_scale(result.location.piece);
+    projection.normal[0] = -side * projection.tangent[1];
+    projection.normal[1] = side * projection.tangent[0];
+    if (speed > 0.)
+      projection.curvature =
+        side * cross(jet.x1, jet.y1, jet.x2, jet.y2) / (speed * speed * speed);
+    projection.distance =
+      -(jet.rx * projection.normal[0] + jet.ry * projection.normal[1]);
+
+    if (std::abs(result.location.s) == 1.)
+      describe_piece_end(result, side, projection);
+    return projection;
+  }
+
+
+
+  void
+  DistanceMinimizer::describe_piece_end(const Result &result,
+                                        const double  side,
+                                        Projection   &projection) const
+  {
+    const DistanceJet &jet      = result.jet;
+    const double       distance = std::sqrt(jet.squared_distance());
+    const double       slip =
+      std::abs(jet.rx * projection.tangent[0] + jet.ry * projection.tangent[1]);
+    const bool normal_here = slip <= 1e-10 * distance + 4. * noise;
+
+    Tensor<1, 2>  mean_normal = projection.normal;
+    CurveLocation other       = result.location;
+    const int     sense       = (result.location.s > 0. ? 1 : -1);
+    const bool    end         = !pieces.step_over(other, sense);
+    if (!end)
+      {
+        const DistanceJet neighbor = pieces.jet(other, px, py);
+        const double      speed    = std::sqrt(neighbor.squared_speed());
+        if (!(speed > 0.))
+          return;
+        const Tensor<1, 2> normal =
+          Point<2>(-side * neighbor.y1 / speed, side * neighbor.x1 / speed);
+        if (normal * projection.normal > 1. - 1e-12)
+          return; // no kink
+        mean_normal += normal;
+        if (sense > 0) // the right side is the neighbour's
+          {
+            projection.tangent[0] = neighbor.x1 / speed;
+            projection.tangent[1] = neighbor.y1 / speed;
+          }
+      }
+    else if (normal_here)
+      return;
+
+    projection.place = (end ? Projection::Place::end : Projection::Place::kink);
+    const Tensor<1, 2> to_point = Point<2>(-jet.rx, -jet.ry);
+    projection.distance = (to_point * mean_normal < 0. ? -distance : distance);
+    if (distance > 0.)
+      projection.normal = to_point / projection.distance;
+    else if (mean_normal.norm() > 0.)
+      projection.normal = mean_normal / mean_normal.norm();
   }
 } // namespace asperity

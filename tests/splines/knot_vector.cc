@@ -12,7 +12,8 @@ using namespace asperity;
 namespace
 {
   /** Open, periodic and with repeated knots; uneven spans. */
-  std::vector<KnotVector> knot_vectors(const unsigned int p)
+  std::vector<KnotVector>
+  knot_vectors(const unsigned int p)
   {
     std::vector<double> breakpoints = {-1.};
     for (unsigned int i = 0; i < p + 4; ++i)
@@ -31,21 +32,21 @@ namespace
 
 
 
-  double bernstein(const unsigned int p, const unsigned int b, const double x)
+  double
+  bernstein(const unsigned int p, const unsigned int b, const double x)
   {
     return std::exp(std::lgamma(p + 1.) - std::lgamma(b + 1.) -
                     std::lgamma(p - b + 1.)) *
-      std::pow(x, b) * std::pow(1. - x, p - b);
+           std::pow(x, b) * std::pow(1. - x, p - b);
   }
 
 
 
-  double point_in(const KnotVector &knots,
-                  const unsigned int span,
-                  const double x)
+  double
+  point_in(const KnotVector &knots, const unsigned int span, const double x)
   {
     return (1. - x) * knots.breakpoints()[span] +
-      x * knots.breakpoints()[span + 1];
+           x * knots.breakpoints()[span + 1];
   }
 } // namespace
 
@@ -57,19 +58,20 @@ TEST(KnotVector, partition_of_unity_and_its_derivatives_vanish)
     for (const KnotVector &knots : knot_vectors(p))
       for (unsigned int span = 0; span < knots.n_spans(); ++span)
         for (const double x : {0., 0.3, 1.})
-        {
-          const auto N = knots.evaluate(span, point_in(knots, span, x), p + 1);
-          for (unsigned int k = 0; k <= p + 1; ++k)
           {
-            double sum = 0., scale = 1.;
-            for (const double value : N[k])
-            {
-              sum += value;
-              scale = std::max(scale, std::abs(value));
-            }
-            EXPECT_NEAR(sum, k == 0 ? 1. : 0., 1e-13 * scale);
+            const auto N =
+              knots.evaluate(span, point_in(knots, span, x), p + 1);
+            for (unsigned int k = 0; k <= p + 1; ++k)
+              {
+                double sum = 0., scale = 1.;
+                for (const double value : N[k])
+                  {
+                    sum += value;
+                    scale = std::max(scale, std::abs(value));
+                  }
+                EXPECT_NEAR(sum, k == 0 ? 1. : 0., 1e-13 * scale);
+              }
           }
-        }
 }
 
 
@@ -80,23 +82,23 @@ TEST(KnotVector, derivatives_equal_finite_differences)
   for (unsigned int p = 1; p <= 6; ++p)
     for (const KnotVector &knots : knot_vectors(p))
       for (unsigned int span = 0; span < knots.n_spans(); ++span)
-      {
-        const double t   = point_in(knots, span, 0.4);
-        const auto N     = knots.evaluate(span, t, p);
-        const auto left  = knots.evaluate(span, t - h, p);
-        const auto right = knots.evaluate(span, t + h, p);
-        for (unsigned int k = 0; k < p; ++k)
-          for (unsigned int j = 0; j <= p; ++j)
-          {
-            double scale = 1.;
-            for (const double value : N[std::min(p, k + 3)])
-              scale = std::max(scale, std::abs(value));
-            EXPECT_NEAR((right[k][j] - left[k][j]) / (2. * h),
-                        N[k + 1][j],
-                        // the neglected term is h^2/6 times the third one
-                        h * h * scale + 1e-9 * std::abs(N[k][j] / h));
-          }
-      }
+        {
+          const double t     = point_in(knots, span, 0.4);
+          const auto   N     = knots.evaluate(span, t, p);
+          const auto   left  = knots.evaluate(span, t - h, p);
+          const auto   right = knots.evaluate(span, t + h, p);
+          for (unsigned int k = 0; k < p; ++k)
+            for (unsigned int j = 0; j <= p; ++j)
+              {
+                double scale = 1.;
+                for (const double value : N[std::min(p, k + 3)])
+                  scale = std::max(scale, std::abs(value));
+                EXPECT_NEAR((right[k][j] - left[k][j]) / (2. * h),
+                            N[k + 1][j],
+                            // the neglected term is h^2/6 times the third one
+                            h * h * scale + 1e-9 * std::abs(N[k][j] / h));
+              }
+        }
 }
 
 
@@ -105,28 +107,28 @@ TEST(KnotVector, greville_abscissae_reproduce_the_identity)
 {
   for (unsigned int p = 1; p <= 10; ++p)
     for (const KnotVector &knots : knot_vectors(p))
-    {
-      const std::vector<double> greville = knots.greville();
-      const double period                = knots.back() - knots.front();
-      for (unsigned int span = 0; span < knots.n_spans(); ++span)
       {
-        const double t       = point_in(knots, span, 0.7);
-        const auto N         = knots.evaluate(span, t, 1);
-        const auto functions = knots.span_functions(span);
-        double value = 0., slope = 0.;
-        for (unsigned int j = 0; j <= p; ++j)
-        {
-          const bool turned =
-            knots.is_periodic() && span + j >= knots.n_basis();
-          const double control =
-            greville[functions[j]] + (turned ? period : 0.);
-          value += N[0][j] * control;
-          slope += N[1][j] * control;
-        }
-        EXPECT_NEAR(value, t, 1e-13);
-        EXPECT_NEAR(slope, 1., 1e-11);
+        const std::vector<double> greville = knots.greville();
+        const double              period   = knots.back() - knots.front();
+        for (unsigned int span = 0; span < knots.n_spans(); ++span)
+          {
+            const double t         = point_in(knots, span, 0.7);
+            const auto   N         = knots.evaluate(span, t, 1);
+            const auto   functions = knots.span_functions(span);
+            double       value = 0., slope = 0.;
+            for (unsigned int j = 0; j <= p; ++j)
+              {
+                const bool turned =
+                  knots.is_periodic() && span + j >= knots.n_basis();
+                const double control =
+                  greville[functions[j]] + (turned ? period : 0.);
+                value += N[0][j] * control;
+                slope += N[1][j] * control;
+              }
+            EXPECT_NEAR(value, t, 1e-13);
+            EXPECT_NEAR(slope, 1., 1e-11);
+          }
       }
-    }
 }
 
 
@@ -156,26 +158,27 @@ TEST(KnotVector, spans_are_found_wrapped_and_clamped)
 TEST(KnotVector, periodic_functions_are_smooth_across_the_period)
 {
   for (unsigned int p = 1; p <= 6; ++p)
-  {
-    const KnotVector knots = knot_vectors(p)[1];
-    const auto last  = knots.evaluate(knots.n_spans() - 1, knots.back(), p - 1);
-    const auto first = knots.evaluate(0, knots.front(), p - 1);
-    const auto i_last  = knots.span_functions(knots.n_spans() - 1);
-    const auto i_first = knots.span_functions(0);
-    for (unsigned int k = 0; k < p; ++k)
     {
-      std::vector<double> jump(knots.n_basis());
-      double scale = 1.;
-      for (unsigned int j = 0; j <= p; ++j)
-      {
-        jump[i_last[j]] += last[k][j];
-        jump[i_first[j]] -= first[k][j];
-        scale = std::max(scale, std::abs(last[k][j]));
-      }
-      for (const double value : jump)
-        EXPECT_NEAR(value, 0., 1e-12 * scale);
+      const KnotVector knots = knot_vectors(p)[1];
+      const auto       last =
+        knots.evaluate(knots.n_spans() - 1, knots.back(), p - 1);
+      const auto first   = knots.evaluate(0, knots.front(), p - 1);
+      const auto i_last  = knots.span_functions(knots.n_spans() - 1);
+      const auto i_first = knots.span_functions(0);
+      for (unsigned int k = 0; k < p; ++k)
+        {
+          std::vector<double> jump(knots.n_basis());
+          double              scale = 1.;
+          for (unsigned int j = 0; j <= p; ++j)
+            {
+              jump[i_last[j]] += last[k][j];
+              jump[i_first[j]] -= first[k][j];
+              scale = std::max(scale, std::abs(last[k][j]));
+            }
+          for (const double value : jump)
+            EXPECT_NEAR(value, 0., 1e-12 * scale);
+        }
     }
-  }
 }
 
 
@@ -184,22 +187,22 @@ TEST(BezierExtraction, bernstein_times_operator_is_the_spline)
 {
   for (unsigned int p = 1; p <= 10; ++p)
     for (const KnotVector &knots : knot_vectors(p))
-    {
-      const auto C = bezier_extraction(knots);
-      ASSERT_EQ(C.size(), knots.n_spans());
-      for (unsigned int span = 0; span < knots.n_spans(); ++span)
-        for (const double x : {0., 0.2, 0.55, 1.})
-        {
-          const auto N = knots.evaluate(span, point_in(knots, span, x));
-          for (unsigned int a = 0; a <= p; ++a)
-          {
-            double value = 0.;
-            for (unsigned int b = 0; b <= p; ++b)
-              value += C[span](a, b) * bernstein(p, b, x);
-            EXPECT_NEAR(value, N[0][a], 2e-14);
-          }
-        }
-    }
+      {
+        const auto C = bezier_extraction(knots);
+        ASSERT_EQ(C.size(), knots.n_spans());
+        for (unsigned int span = 0; span < knots.n_spans(); ++span)
+          for (const double x : {0., 0.2, 0.55, 1.})
+            {
+              const auto N = knots.evaluate(span, point_in(knots, span, x));
+              for (unsigned int a = 0; a <= p; ++a)
+                {
+                  double value = 0.;
+                  for (unsigned int b = 0; b <= p; ++b)
+                    value += C[span](a, b) * bernstein(p, b, x);
+                  EXPECT_NEAR(value, N[0][a], 2e-14);
+                }
+            }
+      }
 }
 
 
@@ -208,25 +211,25 @@ TEST(BezierExtraction, coarse_functions_are_sums_of_fine_ones)
 {
   for (unsigned int p = 1; p <= 10; ++p)
     for (const KnotVector &coarse : knot_vectors(p))
-    {
-      const KnotVector fine = coarse.dyadic_refinement();
-      const auto S          = two_scale_relation(coarse, fine);
-      ASSERT_EQ(S.size(), 2 * coarse.n_spans());
-      for (unsigned int span = 0; span < fine.n_spans(); ++span)
-        for (const double x : {0., 0.35, 1.})
-        {
-          const double t = point_in(fine, span, x);
-          const auto M   = coarse.evaluate(span / 2, t);
-          const auto N   = fine.evaluate(span, t);
-          for (unsigned int a = 0; a <= p; ++a)
-          {
-            double value = 0.;
-            for (unsigned int b = 0; b <= p; ++b)
-              value += S[span](a, b) * N[0][b];
-            EXPECT_NEAR(value, M[0][a], 2e-14);
-          }
-        }
-    }
+      {
+        const KnotVector fine = coarse.dyadic_refinement();
+        const auto       S    = two_scale_relation(coarse, fine);
+        ASSERT_EQ(S.size(), 2 * coarse.n_spans());
+        for (unsigned int span = 0; span < fine.n_spans(); ++span)
+          for (const double x : {0., 0.35, 1.})
+            {
+              const double t = point_in(fine, span, x);
+              const auto   M = coarse.evaluate(span / 2, t);
+              const auto   N = fine.evaluate(span, t);
+              for (unsigned int a = 0; a <= p; ++a)
+                {
+                  double value = 0.;
+                  for (unsigned int b = 0; b <= p; ++b)
+                    value += S[span](a, b) * N[0][b];
+                  EXPECT_NEAR(value, M[0][a], 2e-14);
+                }
+            }
+      }
 }
 
 
@@ -235,28 +238,29 @@ TEST(BezierExtraction, coarse_functions_are_sums_of_fine_ones)
 TEST(BezierExtraction, uniform_two_scale_mask_is_binomial)
 {
   for (unsigned int p = 1; p <= 10; ++p)
-  {
-    std::vector<double> breakpoints;
-    for (unsigned int i = 0; i <= 3 * p + 4; ++i)
-      breakpoints.push_back(i);
-    const KnotVector coarse(p, breakpoints, true);
-    const auto S = two_scale_relation(coarse, coarse.dyadic_refinement());
-    const unsigned int span = coarse.n_spans() + 1; // odd or even, all alike
-    for (unsigned int a = 0; a <= p; ++a)
-      for (unsigned int b = 0; b <= p; ++b)
-      {
-        // fine function index minus twice the coarse one, in the numbering
-        // by the first knot of the support
-        const int k =
-          (int(span) - int(p) + int(b)) - 2 * (int(span / 2) - int(p) + int(a));
-        const double exact = (k < 0 || k > int(p) + 1)
-          ? 0.
-          : std::round(std::exp(std::lgamma(p + 2.) - std::lgamma(k + 1.) -
-                                std::lgamma(p + 2. - k))) /
-            std::pow(2., p);
-        EXPECT_NEAR(S[span](a, b), exact, 1e-15);
-      }
-  }
+    {
+      std::vector<double> breakpoints;
+      for (unsigned int i = 0; i <= 3 * p + 4; ++i)
+        breakpoints.push_back(i);
+      const KnotVector coarse(p, breakpoints, true);
+      const auto S = two_scale_relation(coarse, coarse.dyadic_refinement());
+      const unsigned int span = coarse.n_spans() + 1; // odd or even, all alike
+      for (unsigned int a = 0; a <= p; ++a)
+        for (unsigned int b = 0; b <= p; ++b)
+          {
+            // fine function index minus twice the coarse one, in the numbering
+            // by the first knot of the support
+            const int k = (int(span) - int(p) + int(b)) -
+                          2 * (int(span / 2) - int(p) + int(a));
+            const double exact =
+              (k < 0 || k > int(p) + 1) ?
+                0. :
+                std::round(std::exp(std::lgamma(p + 2.) - std::lgamma(k + 1.) -
+                                    std::lgamma(p + 2. - k))) /
+                  std::pow(2., p);
+            EXPECT_NEAR(S[span](a, b), exact, 1e-15);
+          }
+    }
 }
 
 

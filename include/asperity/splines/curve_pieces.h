@@ -119,6 +119,13 @@ namespace asperity
       return largest_coordinate;
     }
 
+    /** Diagonal of the bounding box of one turn's control points [m]. */
+    double
+    extent() const
+    {
+      return box_diagonal;
+    }
+
     const dealii::Tensor<1, 2> &
     period() const
     {
@@ -141,6 +148,7 @@ namespace asperity
     bool                 periodic = false;
     bool                 closed = false; ///< the last piece leads to the first
     double               largest_coordinate = 0.;
+    double               box_diagonal       = 0.;
     dealii::Tensor<1, 2> turn_shift;
     std::vector<double>  middle, half_width;
     std::vector<double>  bernstein_table;

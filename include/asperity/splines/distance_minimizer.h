@@ -1,8 +1,8 @@
 #ifndef asperity_splines_distance_minimizer_h
 #define asperity_splines_distance_minimizer_h
 
-#include <asperity/splines/closest_point.h>
 #include <asperity/splines/curve_pieces.h>
+#include <asperity/splines/projection.h>
 
 namespace asperity
 {
@@ -35,6 +35,10 @@ namespace asperity
     Result
     minimize_between(CurveLocation location, double low, double high) const;
 
+    /** What a user wants to know of it. */
+    Projection
+    describe(const Result &result, const CurveSide free_side) const;
+
     /** Round-off of a position [m]. */
     double
     position_noise() const
@@ -56,6 +60,12 @@ namespace asperity
 
     bool
     levenberg_marquardt(Result &result) const;
+
+    /** At the end of a piece the curve may have a kink, or stop. */
+    void
+    describe_piece_end(const Result &result,
+                       const double  side,
+                       Projection   &projection) const;
 
     /** The distance is stationary to round-off. */
     bool

@@ -1,6 +1,7 @@
 #ifndef asperity_splines_spline_fit_h
 #define asperity_splines_spline_fit_h
 
+#include <asperity/splines/parametrization.h>
 #include <asperity/splines/spline_curve.h>
 
 #include <functional>
@@ -47,17 +48,6 @@ namespace asperity
     SplineCurve curve;
     FitReport   report;
   };
-
-  /** Parameters in [0, 1] proportional to the chord lengths to the power
-   *  `exponent`: 1 chord length, 0.5 centripetal (Piegl and Tiller 9.4-9.6). */
-  std::vector<double>
-  chord_parameters(const std::vector<dealii::Point<2>> &points,
-                   const double                         exponent = 1.);
-
-  /** The open knots of interpolation, by averaging (Piegl and Tiller 9.8). */
-  KnotVector
-  averaged_knots(const std::vector<double> &parameters,
-                 const unsigned int         degree);
 
   /**
    * Global interpolation: as many data as functions, on open or periodic knots.
