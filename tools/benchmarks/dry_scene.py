@@ -1,0 +1,212 @@
+#!/usr/bin/python3
+"""Speed and accuracy of the dry scene, measured and charted.
+
+Usage: tools/benchmarks/dry_scene.py [--asperity PROGRAM] [--to FOLDER] TASK
+
+  convergence  mu of the reference scene R0 (300 MPa, 200 m/min, 25 degC) over
+               mesh, time steps, penalty, quadrature and tolerance, each varied
+               alone from the default settings, against the finest settings
+  speed        time by phase, Newton iterations and factorisations of the eight
+               load cases at the default settings, with the error of mu against
+               the summaries in output/reference_scenes if they are there
+  solvers      the linear solvers at the default settings
+  cost         cost of a Newton iteration over the number of unknowns, to 10^5
+
+Tables go to the screen in Markdown, charts as PNG into FOLDER (default
+output/benchmarks). Run it on a quiet machine; compare within one run only.
+"""
+
+import argparse
+import json
+import os
+import subprocess
+import sys
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(
+    os.path.abspath(__file__))))
+QUIET = {"Output/Picture interval": 0, "Output/Checkpoint interval": 0}
+FINEST = {"Mesh/Spans": 320, "Mesh/Refinement levels": 4,
+          "Protocol/Ramp steps": 96, "Protocol/Slide steps": 384,
+          "Contact/Penalty factor": 32}
+
+
+def load_case(pressure, velocity, temperature):
+    return {"Load/Pressure": f"{pressure} MPa",
+            "Load/Velocity": f"{velocity} m/min",
+            "Load/Temperature": f"{temperature} degC"}
+
+
+def run(arguments, name, entries):
+    """Runs the default scene with some entries changed; returns its summary."""
+    folder = os.path.join(arguments.to, name)
+    os.makedirs(folder, exist_ok=True)
+    file = os.path.join(folder, "scene.prm")
+    entries = {**QUIET, **entries, "Output/Output directory": folder}
+    with open(file, "w", encoding="utf-8") as out:
+        for path, value in entries.items():
+            section, key = path.split("/")
+            out.write(f"subsection {section}\n  set {key} = {value}\nend\n")
+    done = subprocess.run([arguments.asperity, file], capture_output=True,
+                          text=True, check=False)
+    if done.returncode != 0:
+        sys.exit(f"{name}: {done.stderr.strip()}")
+    with open(os.path.join(folder, "summary.json"), encoding="utf-8") as text:
+        return json.load(text)
+
+
+def cost_row(summary):
+    cost = summary["cost"]
+    return (f"{summary['mesh']['unknowns']} | {cost['steps']} | "
+            f"{cost['newton_iterations']} | {cost['factorisations']} | "
+            f"{cost['assembly']:.2f} | {cost['factorisation']:.2f} | "
+            f"{cost['wall_time']:.2f}")
+
+
+COST_HEAD = ("unknowns | steps | Newton iterations | factorisations | "
+             "assembly [s] | factorisation [s] | wall time [s]")
+
+
+def print_head(head):
+    print(f"| {head} |")
+    print("|" + " --- |" * (head.count("|") + 1), flush=True)
+
+
+def convergence(arguments):
+    case = load_case(300, 200, 25)
+    reference = run(arguments, "finest", {**case, **FINEST})
+    mu = reference["friction"]["mu"]
+    print_head("settings | mu | mu at the end | error of mu | " + COST_HEAD)
+    print(f"| finest | {mu:.5f} | {reference['friction']['mu_end']:.5f} | - | "
+          f"{cost_row(reference)} |")
+    variants = {
+        "default": {},
+        "80 spans": {"Mesh/Spans": 80, "Mesh/Refinement levels": 2},
+        "320 spans": {"Mesh/Spans": 320, "Mesh/Refinement levels": 4},
+        "strip 0.6 um": {"Mesh/Strip depth": "0.6 um"},
+        "degree 3": {"Mesh/Degree": 3},
+        "12 + 48 steps": {"Protocol/Ramp steps": 12,
+                          "Protocol/Slide steps": 48},
+        "48 + 192 steps": {"Protocol/Ramp steps": 48,
+                           "Protocol/Slide steps": 192},
+        "penalty factor 2": {"Contact/Penalty factor": 2},
+        "penalty factor 32": {"Contact/Penalty factor": 32},
+        "Gauss-point contact": {"Contact/Formulation": "gauss-point"},
+        "3 x 3 Gauss points": {"Mesh/Quadrature points": 3},
+        "tolerance 1e-6": {"Solver/Tolerance": 1e-6},
+    }
+    points = []
+    for name, entries in variants.items():
+        summary = run(arguments, name.replace(" ", "_"), {**case, **entries})
+        error = summary["friction"]["mu"] / mu - 1.
+        points.append((name, summary["cost"]["wall_time"], abs(error)))
+        print(f"| {name} | {summary['friction']['mu']:.5f} | "
+              f"{summary['friction']['mu_end']:.5f} | {100 * error:+.2f} % | "
+              f"{cost_row(summary)} |", flush=True)
+    chart_accuracy(arguments, points)
+
+
+def chart_accuracy(arguments, points):
+    import matplotlib
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+    figure, axes = plt.subplots(figsize=(7, 4.5))
+    for name, time, error in points:
+        axes.loglog(time, 100 * error, "o", color="#12355b")
+        axes.annotate(name, (time, 100 * error), fontsize=7,
+                      textcoords="offset points", xytext=(4, 3))
+    axes.axhline(0.7, color="#f2c14e", label="0.7 %, the seed's tolerance")
+    axes.set_xlabel("wall time of the run [s]")
+    axes.set_ylabel("error of mu against the finest run [%]")
+    axes.legend()
+    figure.tight_layout()
+    figure.savefig(os.path.join(arguments.to, "accuracy_over_time.png"),
+                   dpi=120)
+
+
+def speed(arguments):
+    print_head("p [MPa] | v [m/min] | T [degC] | mu | error of mu | "
+               + COST_HEAD)
+    for pressure in (300, 1300):
+        for velocity in (22.5, 200):
+            for temperature in (25, 675):
+                name = f"dry_R0_p{pressure}_v{velocity}_T{temperature}"
+                summary = run(arguments, name,
+                              load_case(pressure, velocity, temperature))
+                mu = summary["friction"]["mu"]
+                error = "-"
+                fine = os.path.join(ROOT, "output", "reference_scenes", name,
+                                    "summary.json")
+                if os.path.exists(fine):
+                    with open(fine, encoding="utf-8") as text:
+                        reference = json.load(text)["friction"]["mu"]
+                    error = f"{100 * (mu / reference - 1.):+.2f} %"
+                print(f"| {pressure} | {velocity} | {temperature} | {mu:.5f} | "
+                      f"{error} | {cost_row(summary)} |", flush=True)
+
+
+def solvers(arguments):
+    print_head("linear solver | mu | " + COST_HEAD)
+    for solver in ("cholmod", "umfpack", "klu", "mumps"):
+        summary = run(arguments, solver, {**load_case(300, 200, 25),
+                                          "Solver/Linear solver": solver})
+        print(f"| {solver} | {summary['friction']['mu']:.5f} | "
+              f"{cost_row(summary)} |", flush=True)
+
+
+def cost(arguments):
+    import matplotlib
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+    print_head("spans | unknowns | assembly a Newton iteration [ms] | "
+               "factorisation [ms]")
+    sizes = []
+    for spans, levels, strip in ((40, 1, "0.3 um"), (80, 2, "0.3 um"),
+                                 (160, 3, "0.3 um"), (320, 3, "0.3 um"),
+                                 (640, 3, "0.3 um"), (640, 2, "0.6 um"),
+                                 (640, 1, "1 um")):
+        summary = run(arguments, f"cost_{spans}_{levels}",
+                      {**load_case(300, 200, 25), "Mesh/Spans": spans,
+                       "Mesh/Refinement levels": levels,
+                       "Mesh/Strip depth": strip,
+                       "Mesh/Row grading": 1.2,
+                       "Protocol/End time": "0.05 us",
+                       "Protocol/Ramp fraction": 1,
+                       "Protocol/Ramp steps": 8})
+        times, n = summary["cost"], summary["cost"]["factorisations"]
+        sizes.append((summary["mesh"]["unknowns"], 1e3 * times["assembly"] / n,
+                      1e3 * times["factorisation"] / n))
+        print(f"| {spans} | {sizes[-1][0]} | {sizes[-1][1]:.2f} | "
+              f"{sizes[-1][2]:.2f} |", flush=True)
+    sizes.sort()
+    figure, axes = plt.subplots(figsize=(6, 4))
+    unknowns = [size[0] for size in sizes]
+    axes.loglog(unknowns, [size[1] for size in sizes], "o-", label="assembly")
+    axes.loglog(unknowns, [size[2] for size in sizes], "s-",
+                label="factorisation")
+    axes.set_xlabel("unknowns")
+    axes.set_ylabel("time per Newton iteration [ms]")
+    axes.grid(alpha=0.3)
+    axes.legend()
+    figure.tight_layout()
+    figure.savefig(os.path.join(arguments.to, "cost_over_unknowns.png"),
+                   dpi=120)
+
+
+def main():
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    tasks = {"convergence": convergence, "speed": speed, "solvers": solvers,
+             "cost": cost}
+    parser.add_argument("task", choices=tasks)
+    parser.add_argument("--asperity",
+                        default=os.path.join(ROOT, "build", "asperity"))
+    parser.add_argument("--to", default=os.path.join(ROOT, "output",
+                                                     "benchmarks"))
+    arguments = parser.parse_args()
+    arguments.to = os.path.abspath(arguments.to)
+    os.makedirs(arguments.to, exist_ok=True)
+    tasks[arguments.task](arguments)
+
+
+if __name__ == "__main__":
+    main()
