@@ -73,10 +73,12 @@ namespace asperity
       options.spacing_y    = p.spacing_y.value_or(options.spacing_x);
       HeightMap map        = read_height_map(p.file, options);
       if (!map.provenance.has_unit)
-        throw InputError("The surface file '" + p.file +
-                         "' carries no complete unit (" +
-                         map.provenance.warnings.front() +
-                         ") Set both Lateral unit and Height unit.");
+        {
+          std::string what = map.provenance.warnings.back();
+          what.pop_back(); // its full stop
+          throw InputError("The surface file '" + p.file + "': " + what +
+                           "; set both Lateral unit and Height unit.");
+        }
       return map;
     }
 

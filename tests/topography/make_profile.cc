@@ -177,7 +177,7 @@ TEST(MakeProfile, file_without_unit_needs_both_units)
     write_bytes("unitless.gsf",
                 "Gwyddion Simple Field 1.0\nXRes = 2\nYRes = 2\n" +
                   std::string(4, '\0') + std::string(16, '\1'));
-  EXPECT_NE(refusal("set File = " + gsf + "\n").find("Set both Lateral unit"),
+  EXPECT_NE(refusal("set File = " + gsf + "\n").find("set both Lateral unit"),
             std::string::npos);
 }
 

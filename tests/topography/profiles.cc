@@ -36,8 +36,9 @@ namespace
   without_blend(const unsigned int degree)
   {
     WrappedSplineOptions options;
-    options.degree         = degree;
-    options.blend_fraction = 0.;
+    options.degree           = degree;
+    options.blend_fraction   = 0.;
+    options.samples_per_knot = 2.;
     return options;
   }
 } // namespace

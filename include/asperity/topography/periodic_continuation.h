@@ -21,7 +21,7 @@ namespace asperity
     unsigned int degree = 3;
 
     /** Knot spacing over sample spacing, at least 1. */
-    double samples_per_knot = 2.;
+    double samples_per_knot = 1.25;
 
     /**
      * Length at each end over the length of the profile in which the
