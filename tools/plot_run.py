@@ -5,17 +5,16 @@ Usage: tools/plot_run.py OUTPUT_DIRECTORY [--step N] [--to FOLDER]
 
 Writes into the output directory (or FOLDER)
 
-  deformed_topography.png  two periods of the deformed chip coloured by
-                           equivalent plastic strain, the tool, and the contact
-                           force on the chip as arrows; beside it the contact
-                           zone magnified
-  friction.png             mu and contact fraction over time and over sliding
+  deformed_topography.png  the deformed chip coloured by equivalent plastic
+                           strain, the tool, and the contact force on the chip
+                           as arrows: the hardest contact and two periods
+  friction.png             mu and contact fraction over time and sliding
                            distance; the averaging window is shaded, with the
                            mean and its spread
 
 Reads chip.pvd, tool.pvd, contact.pvd and their .vtu files, friction.csv, and,
-if there, summary.json (friction.mu, friction.spread, and friction.window: the
-times [s] at which the window starts and ends).
+if there, summary.json (load; friction.mu, friction.spread, and friction.window:
+the times [s] at which the window starts and ends).
 """
 
 import argparse
@@ -150,6 +149,16 @@ def read_summary(directory):
 # ---------------------------------------------------------------- topography
 
 
+def mean_at_points(points, values):
+    """The mean over the elements that meet at a point; each brings its own
+    value, and the picture shall be continuous."""
+    size = np.ptp(points, axis=0).max()
+    rounded = np.round(points / size * 1e5).astype(np.int64)
+    _, index = np.unique(rounded, axis=0, return_inverse=True)
+    index = index.ravel()
+    return (np.bincount(index, values) / np.bincount(index))[index]
+
+
 class Scene:
     """One step of a run in micrometres and gigapascals."""
 
@@ -164,7 +173,7 @@ class Scene:
         self.time, path = steps[self.step]
         chip = Vtu(path)
         self.chip, self.cells = chip.points * UM, chip.cells
-        self.strain = chip.field(STRAIN)
+        self.strain = mean_at_points(self.chip, chip.field(STRAIN))
         self.tool = part_at(directory, "tool", self.step).points * UM
         line = part_at(directory, "contact", self.step)
         self.line = line.points * UM
@@ -178,10 +187,12 @@ class Scene:
         last = int(np.ceil((right - points[:, 0].min()) / self.period))
         return [k * self.period for k in range(first, last + 1)]
 
-    def arrows(self, n_bins=70):
+    def arrows(self, width, n_arrows=60):
         """Points and mean tractions on pieces of the contact line of equal
-        width, so that the density of arrows is not that of the mesh."""
+        length, so many in the width of a picture, so that the density of
+        arrows is not that of the mesh."""
         x = self.line[:, 0]
+        n_bins = max(1, round(n_arrows * np.ptp(x) / width))
         bins = ((x - x.min()) / np.ptp(x) * n_bins * (1 - 1e-9)).astype(int)
         points, tractions = [], []
         for b in np.unique(bins):
@@ -194,7 +205,7 @@ class Scene:
         return np.array(points).reshape(-1, 2), np.array(tractions).reshape(-1, 2)
 
 
-def draw_scene(axes, scene, box, norm, arrow_length):
+def draw_scene(axes, scene, box, norm, arrow_length, with_key):
     """The part of the scene in box = (left, right, low, high)."""
     left, right, low, high = box
     triangles = np.concatenate([scene.cells[:, [0, 1, 2]],
@@ -211,64 +222,98 @@ def draw_scene(axes, scene, box, norm, arrow_length):
         x, y = scene.tool[:, 0] + shift, scene.tool[:, 1]
         axes.fill_between(x, y, 2. * high - low, color=TOOL_COLOUR, lw=0.)
         axes.plot(x, y, color="#4a4f57", lw=0.9)
-
-    points, tractions = scene.arrows()
-    largest = np.linalg.norm(tractions, axis=1).max(initial=0.)
-    if largest > 0.:
-        visible = np.linalg.norm(tractions, axis=1) > 0.01 * largest
-        for shift in scene.copies(scene.line, left, right):
-            arrows = axes.quiver(points[visible, 0] + shift, points[visible, 1],
-                                 *tractions[visible].T, pivot="tip",
-                                 angles="xy", scale_units="xy",
-                                 scale=largest / arrow_length,
-                                 width=0.0022, headwidth=3.5, headlength=4.5,
-                                 color=ARROW_COLOUR, zorder=4)
-        axes.quiverkey(arrows, 0.90, 0.93, largest, f"{largest:.3g} GPa",
-                       labelpos="W", coordinates="axes", color=ARROW_COLOUR,
-                       labelcolor=ARROW_COLOUR, zorder=5)
+    draw_arrows(axes, scene, box, arrow_length, with_key)
     axes.set(xlim=(left, right), ylim=(low, high), xlabel="x [µm]",
              ylabel="y [µm]")
     axes.set_aspect("equal")
     return image
 
 
+def draw_arrows(axes, scene, box, arrow_length, with_key):
+    """The traction of the tool on the chip, and the key of its length."""
+    left, right = box[:2]
+    points, tractions = scene.arrows(right - left)
+    largest = np.linalg.norm(tractions, axis=1).max(initial=0.)
+    if largest == 0.:
+        return
+    visible = np.linalg.norm(tractions, axis=1) > 0.02 * largest
+    for shift in scene.copies(scene.line, left, right):
+        arrows = axes.quiver(points[visible, 0] + shift, points[visible, 1],
+                             *tractions[visible].T, pivot="tip", angles="xy",
+                             scale_units="xy", scale=largest / arrow_length,
+                             width=0.002, headwidth=3.5, headlength=4.5,
+                             color=ARROW_COLOUR, zorder=4)
+    if not with_key:
+        return
+    axes.quiverkey(arrows, 0.87, 0.92, largest, f"{largest:.2g} GPa",
+                   labelpos="W", coordinates="axes", color=ARROW_COLOUR,
+                   labelcolor=ARROW_COLOUR, zorder=5)
+
+
+def label_bodies(axes):
+    axes.text(0.012, 0.95, "tool", transform=axes.transAxes, va="top",
+              color="#30343a")
+    axes.annotate("", (0.145, 0.07), (0.075, 0.07), xycoords="axes fraction",
+                  arrowprops={"arrowstyle": "-|>", "lw": 1.4})
+    axes.text(0.012, 0.07, "chip", transform=axes.transAxes, va="center")
+
+
+def magnified_box(scene):
+    """A box about the hardest contact, in which the roughness fills a good
+    part of the height."""
+    L = scene.period
+    width = np.clip(12. * np.ptp(scene.tool[:, 1]), 0.25 * L, L)
+    hardest = scene.line[np.argmax(np.linalg.norm(scene.traction, axis=1))]
+    centre = scene.tool[:, 0].min() + (hardest[0] - scene.tool[:, 0].min()) % L
+    return (centre - 0.5 * width, centre + 0.5 * width,
+            hardest[1] - 0.2 * width, hardest[1] + 0.13 * width)
+
+
+def heading(directory, summary):
+    """Name and load of a run."""
+    name = os.path.basename(os.path.abspath(directory))
+    load = summary.get("load", {})
+    try:
+        return (f"{name}: {load['pressure'] * 1e-6:.4g} MPa, "
+                f"{load['velocity'] * 60:.4g} m/min, "
+                f"{load['temperature'] - 273.15:.4g} °C")
+    except (KeyError, TypeError):
+        return name
+
+
 def plot_topography(directory, step, target):
     scene = Scene(directory, step)
     L, start = scene.period, scene.tool[:, 0].min()
     bottom, top = scene.chip[:, 1].min(), scene.tool[:, 1].max()
-    low, high = bottom - 0.02 * L, top + 0.12 * L
-    middle = scene.tool[:, 1].mean()
-    # Same shape as the left panel at twice the magnification, one period wide
-    # about the hardest contact.
-    depth = (high - low) / 2.
-    hardest = scene.line[np.argmax(np.linalg.norm(scene.traction, axis=1)), 0]
-    zoom_left = start + (hardest - L / 2. - start) % L
-    zoom = (zoom_left, zoom_left + L, middle - 0.58 * depth,
-            middle + 0.42 * depth)
+    whole = (start, start + 2. * L, bottom, top + 0.08 * L)
+    zoom = magnified_box(scene)
 
     # A few points at the sharpest asperity would else darken all the rest.
     limit = max(np.quantile(scene.strain, 0.998), 1e-6)
     norm = matplotlib.colors.Normalize(0., limit)
-    height = 13. * 0.5 * (high - low) / (2. * L) + 1.65
-    figure, panels = plt.subplots(1, 2, figsize=(13., height),
+    shapes = [(box[3] - box[2]) / (box[1] - box[0]) for box in (zoom, whole)]
+    figure, panels = plt.subplots(2, 1, figsize=(10., 9. * sum(shapes) + 2.3),
+                                  height_ratios=shapes,
                                   constrained_layout=True)
-    for axes, box, length in ((panels[0], (start, start + 2. * L, low, high),
-                               0.1 * L), (panels[1], zoom, 0.07 * L)):
-        image = draw_scene(axes, scene, box, norm, length)
-    panels[0].add_patch(plt.Rectangle((zoom[0], zoom[2]), L, zoom[3] - zoom[2],
-                                      fill=False, ls="--", lw=0.8, zorder=6))
-    panels[0].set_title("Two periods", fontsize=10)
-    panels[1].set_title("Contact zone (dashed frame), force of the tool on the "
-                        "chip", fontsize=10)
+    image = draw_scene(panels[0], scene, zoom, norm,
+                       0.11 * (zoom[1] - zoom[0]), True)
+    draw_scene(panels[1], scene, whole, norm, 0.1 * L, False)
+    label_bodies(panels[0])
+    label_bodies(panels[1])
+    panels[1].add_patch(plt.Rectangle((zoom[0], zoom[2]), zoom[1] - zoom[0],
+                                      zoom[3] - zoom[2], fill=False, ls="--",
+                                      lw=0.8, zorder=6))
+    panels[0].set_title("The hardest contact (dashed frame); arrows: force of "
+                        "the tool on the chip", fontsize=10)
+    panels[1].set_title("Two periods", fontsize=10)
     bar = figure.colorbar(image, ax=panels, orientation="horizontal",
-                          shrink=0.5, aspect=45, pad=0.03,
+                          shrink=0.6, aspect=45, pad=0.03,
                           extend="max" if scene.strain.max() > limit else
                           "neither")
     bar.set_label("equivalent plastic strain [–]")
-    name = os.path.basename(os.path.abspath(directory))
-    figure.suptitle(f"{name}: step {scene.step}, "
-                    f"t = {scene.time * 1e6:.4g} µs")
-    figure.savefig(target, dpi=170)
+    figure.suptitle(heading(directory, read_summary(directory)) +
+                    f", t = {scene.time * 1e6:.4g} µs")
+    figure.savefig(target, dpi=120)
     plt.close(figure)
 
 
@@ -285,8 +330,8 @@ def window_of(table, summary):
     return window, friction.get("mu"), friction.get("spread")
 
 
-def draw_over(panels, x, window, table, mean, spread):
-    """One column of the picture: mu and contact fraction over x."""
+def draw_history(panels, x, window, table, mean, spread):
+    """mu and contact fraction over x; the window and its mean."""
     fraction = 100. * table["contact fraction"]
     for axes, values in ((panels[0], table["mu"]), (panels[1], fraction)):
         if window is not None:
@@ -294,15 +339,16 @@ def draw_over(panels, x, window, table, mean, spread):
                          label="averaging window")
         axes.plot(x, values, "-o", color=ARROW_COLOUR, ms=2.2, lw=1.2)
         axes.grid(alpha=0.3)
-        axes.set_xlim(0., x.max() * 1.01 if x.max() > 0. else 1.)
+        axes.set_xlim(0., x.max() if x.max() > 0. else 1.)
     if window is not None and mean is not None:
         label = f"mean {mean:.4f}"
         if spread is not None:
-            label += f" ± {spread:.4f}"
+            label += f" ± {spread:.4f} (spread over time)"
             panels[0].fill_between(window, mean - spread, mean + spread,
                                    color="#c8553d", alpha=0.3, lw=0.)
         panels[0].plot(window, [mean, mean], color="#c8553d", lw=1.6,
                        label=label)
+        panels[0].legend(loc="best", fontsize=9)
 
 
 def limit_of_mu(table, window, mean):
@@ -317,29 +363,26 @@ def limit_of_mu(table, window, mean):
 def plot_friction(directory, target):
     table, summary = read_friction(directory), read_summary(directory)
     window, mean, spread = window_of(table, summary)
-    figure, panels = plt.subplots(2, 2, figsize=(11., 6.), sharey="row",
-                                  sharex="col", constrained_layout=True,
+    figure, panels = plt.subplots(2, 1, figsize=(8., 6.), sharex=True,
+                                  constrained_layout=True,
                                   height_ratios=(3, 2))
-    distance = table["sliding distance"]
-    over_distance = None
-    if window is not None:
-        over_distance = np.interp(window, table["time"], distance) * UM
-        window_us = np.array(window) * 1e6
-    draw_over(panels[:, 0], table["time"] * 1e6,
-              window_us if window is not None else None, table, mean, spread)
-    draw_over(panels[:, 1], distance * UM, over_distance, table, mean, spread)
-
-    panels[0, 0].set_ylabel("friction coefficient µ [–]")
-    panels[1, 0].set_ylabel("contact fraction [%]")
-    panels[1, 0].set_xlabel("time [µs]")
-    panels[1, 1].set_xlabel("sliding distance [µm]")
-    panels[0, 0].set_ylim(0., limit_of_mu(table, window, mean))
-    panels[1, 0].set_ylim(bottom=0.)
-    if window is not None:
-        panels[0, 1].legend(loc="best", fontsize=9)
-    name = os.path.basename(os.path.abspath(directory))
-    figure.suptitle(f"{name}: friction")
-    figure.savefig(target, dpi=150)
+    time, distance = table["time"] * 1e6, table["sliding distance"] * UM
+    draw_history(panels, time,
+                 np.array(window) * 1e6 if window is not None else None,
+                 table, mean, spread)
+    # The chip's bottom slides with one velocity: distance is a second scale.
+    if distance[-1] > 0.:
+        velocity = distance[-1] / time[-1]
+        over = panels[0].secondary_xaxis(
+            "top", functions=(lambda t: t * velocity, lambda d: d / velocity))
+        over.set_xlabel("sliding distance [µm]")
+    panels[0].set_ylabel("friction coefficient µ [–]")
+    panels[1].set_ylabel("contact fraction [%]")
+    panels[1].set_xlabel("time [µs]")
+    panels[0].set_ylim(0., limit_of_mu(table, window, mean))
+    panels[1].set_ylim(bottom=0.)
+    figure.suptitle(heading(directory, summary))
+    figure.savefig(target, dpi=110)
     plt.close(figure)
 
 
