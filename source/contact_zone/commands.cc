@@ -4,6 +4,7 @@
 #include <asperity/contact_zone/commands.h>
 #include <asperity/contact_zone/scene_output.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/timer.h>
 
@@ -125,6 +126,14 @@ namespace asperity
   int
   run_scene(const std::string &file)
   {
+    // A scene is solved by one rank; others would write the same files.
+    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+      return 0;
+    const unsigned int n_ranks =
+      dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+    if (n_ranks > 1)
+      std::cout << "A scene runs on one rank; the other " << n_ranks - 1
+                << " stay idle.\n";
     dealii::Timer    timer;
     SceneInput       input(file);
     SceneParameters &parameters = input.parameters;
@@ -181,6 +190,8 @@ namespace asperity
   int
   check_scene(const std::string &file)
   {
+    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+      return 0;
     SceneInput  input(file);
     const Scene scene(input.parameters);
     SceneAudit  audit = audit_scene(input.parameters, scene);

@@ -126,7 +126,7 @@ namespace asperity
 
   struct SolverParameters
   {
-    double           tolerance          = 1e-4; ///< of p L
+    double           tolerance          = 1e-5; ///< of p L
     unsigned int     maximum_iterations = 20;
     unsigned int     maximum_cuts       = 8;
     DirectSolverKind linear_solver      = DirectSolverKind::cholmod;
