@@ -1,5 +1,6 @@
 #include <asperity/base/errors.h>
 #include <asperity/splines/bezier_extraction.h>
+#include <asperity/splines/refinement.h>
 
 #include <vector>
 
@@ -7,39 +8,6 @@ namespace asperity
 {
   namespace
   {
-    /**
-     * Discrete B-spline: the coefficient that function i on the knots t has
-     * with respect to that function on a finer knot vector whose knots are
-     * tau[0] .. tau[p] (and one more, which does not matter). Oslo algorithm;
-     * E. Cohen, T. Lyche, R. Riesenfeld, CGIP 14 (1980) 87-111. Every step is a
-     * sum of non-negative terms, so it is accurate for all degrees and its
-     * structural zeros are exact.
-     */
-    double
-    discrete_b_spline(const std::vector<double> &t,
-                      const unsigned int         i,
-                      const unsigned int         p,
-                      const std::vector<double> &tau)
-    {
-      std::vector<double> alpha(p + 1);
-      for (unsigned int j = 0; j <= p; ++j)
-        alpha[j] = (t[i + j] <= tau[0] && tau[0] < t[i + j + 1]) ? 1. : 0.;
-      for (unsigned int k = 1; k <= p; ++k)
-        for (unsigned int j = 0; j + k <= p; ++j)
-          {
-            const double left = t[i + j], right = t[i + j + k + 1];
-            double       sum = 0.;
-            if (alpha[j] != 0.)
-              sum += (tau[k] - left) / (t[i + j + k] - left) * alpha[j];
-            if (alpha[j + 1] != 0.)
-              sum += (right - tau[k]) / (right - t[i + j + 1]) * alpha[j + 1];
-            alpha[j] = sum;
-          }
-      return alpha[0];
-    }
-
-
-
     /** Index of the knot at which each nonempty span begins. */
     std::vector<unsigned int>
     span_starts(const KnotVector &knot_vector)
