@@ -12,6 +12,7 @@
 #include <fstream>
 #include <iomanip>
 #include <iostream>
+#include <optional>
 
 namespace asperity
 {
@@ -112,12 +113,39 @@ namespace asperity
       return warnings;
     }
 
+    /** Also shows early whether the output directory can be written. */
     void
     write_parameters(const SceneInput &input)
     {
-      std::filesystem::create_directories(input.parameters.output.directory);
-      std::ofstream file(input.parameters.output.directory + "/parameters.prm");
+      const std::string &directory = input.parameters.output.directory;
+      std::error_code    error;
+      std::filesystem::create_directories(directory, error);
+      std::ofstream file(directory + "/parameters.prm");
+      if (error || !file)
+        throw InputError(
+          input.declarator.where("Output/Output directory") +
+          ": cannot write into the folder '" + directory +
+          "'; expected a place where it can be made or written.");
       input.declarator.write_prm(file);
+    }
+
+    /** The checkpoint to go on from, if the parameters ask for it. */
+    std::optional<CheckpointFolder::Found>
+    find_checkpoint(const SceneInput &input)
+    {
+      if (!input.parameters.output.restart)
+        return {};
+      try
+        {
+          return CheckpointFolder(input.parameters.output.directory +
+                                  "/checkpoint")
+            .read_newest();
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(input.declarator.where("Output/Restart") + ": " +
+                           error.what());
+        }
     }
   } // namespace
 
@@ -137,27 +165,25 @@ namespace asperity
     dealii::Timer    timer;
     SceneInput       input(file);
     SceneParameters &parameters = input.parameters;
-    Scene            scene(parameters);
-    SceneAudit       audit = audit_scene(parameters, scene);
+    const auto       restart    = find_checkpoint(input);
+    write_parameters(input);
+    Scene      scene(parameters);
+    SceneAudit audit = audit_scene(parameters, scene);
     resolve_models(parameters, audit);
     std::cout << version_line() << "\n";
     print_scene(scene, audit);
 
     SlidingRun   run(parameters, scene);
     unsigned int restart_step = 0;
-    if (parameters.output.restart)
+    if (restart)
       {
-        const auto found =
-          CheckpointFolder(parameters.output.directory + "/checkpoint")
-            .read_newest();
-        load(found.checkpoint, run, scene);
-        restart_step = found.step;
-        for (const std::string &warning : found.warnings)
+        load(restart->checkpoint, run, scene);
+        restart_step = restart->step;
+        for (const std::string &warning : restart->warnings)
           std::cout << "Warning: " << warning << "\n";
         std::cout << "Restart after step " << restart_step << "\n";
       }
     SceneOutput output(parameters, scene, restart_step);
-    write_parameters(input);
 
     ProgressLine progress(std::cout);
     try

@@ -109,6 +109,10 @@ namespace asperity
 
     void
     declare(ParameterDeclarator &parameters);
+
+  private:
+    void
+    declare_window(ParameterDeclarator &parameters);
   };
 
   struct ContactParameters

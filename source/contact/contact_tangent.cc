@@ -1,0 +1,117 @@
+#include <asperity/contact/contact_assembler.h>
+
+#include <algorithm>
+
+namespace asperity
+{
+  using dealii::Tensor;
+  using Matrix = dealii::SparseMatrix<double>;
+
+  void
+  ContactAssembler::add_curvature(Matrix &tangent) const
+  {
+    // Hessian of the distance: curvature / (1 + curvature gap) t (x) t. Beyond
+    // the centre of curvature of a valley the closest point jumps; the bound
+    // keeps the term finite there, where gaps are large and pressures zero.
+    for (unsigned int e = 0; e < table_.elements.size(); ++e)
+      {
+        const auto        &element = table_.elements[e];
+        const unsigned int n       = element.functions.size();
+        for (unsigned int q = 0; q < table_.points_per_element; ++q)
+          {
+            const unsigned int point = element.first_point + q;
+            if (point_pressure[point] == 0.)
+              continue;
+            const GapPoint &g = gap[point];
+            const double    hessian =
+              g.curvature / std::max(0.1, 1. + g.curvature * g.gap);
+            const double factor =
+              -point_pressure[point] * hessian * table_.JxW[point];
+            const double t[2] = {-g.normal[1], g.normal[0]};
+            for (const unsigned int a : element_columns[e])
+              for (const unsigned int b : element_columns[e])
+                for (unsigned int i = 0; i < 2; ++i)
+                  for (unsigned int j = 0; j < 2; ++j)
+                    tangent.add(2 * element.functions[a] + i,
+                                2 * element.functions[b] + j,
+                                factor * element.values[q * n + a] *
+                                  element.values[q * n + b] * t[i] * t[j]);
+          }
+      }
+  }
+
+
+
+  void
+  ContactAssembler::add_mortar_stiffness(Matrix &tangent) const
+  {
+    // h[c][b] = int N_c N_b n for the active functions c.
+    std::vector<std::vector<Tensor<1, 2>>> h(edge_functions.size());
+    for (unsigned int c = 0; c < h.size(); ++c)
+      if (function_pressure[c] > 0.)
+        h[c].resize(neighbours[c].size());
+    for (unsigned int e = 0; e < table_.elements.size(); ++e)
+      {
+        const auto        &element   = table_.elements[e];
+        const unsigned int n         = element.functions.size();
+        const auto        &functions = element_functions[e];
+        for (unsigned int i = 0; i < functions.size(); ++i)
+          {
+            const unsigned int c = functions[i];
+            if (h[c].empty())
+              continue;
+            for (unsigned int j = 0; j < functions.size(); ++j)
+              {
+                const unsigned int slot =
+                  std::lower_bound(neighbours[c].begin(),
+                                   neighbours[c].end(),
+                                   functions[j]) -
+                  neighbours[c].begin();
+                for (unsigned int q = 0; q < table_.points_per_element; ++q)
+                  h[c][slot] += element.values[q * n + element_columns[e][i]] *
+                                element.values[q * n + element_columns[e][j]] *
+                                table_.JxW[element.first_point + q] *
+                                gap[element.first_point + q].normal;
+              }
+          }
+      }
+    for (unsigned int c = 0; c < h.size(); ++c)
+      for (unsigned int k = 0; k < h[c].size(); ++k)
+        for (unsigned int l = 0; l < h[c].size(); ++l)
+          for (unsigned int i = 0; i < 2; ++i)
+            for (unsigned int j = 0; j < 2; ++j)
+              tangent.add(2 * edge_functions[neighbours[c][k]] + i,
+                          2 * edge_functions[neighbours[c][l]] + j,
+                          options_.penalty / weight[c] * h[c][k][i] *
+                            h[c][l][j]);
+  }
+
+
+
+  void
+  ContactAssembler::add_point_stiffness(Matrix &tangent) const
+  {
+    for (unsigned int e = 0; e < table_.elements.size(); ++e)
+      {
+        const auto        &element = table_.elements[e];
+        const unsigned int n       = element.functions.size();
+        for (unsigned int q = 0; q < table_.points_per_element; ++q)
+          {
+            const unsigned int point = element.first_point + q;
+            if (point_pressure[point] == 0.)
+              continue;
+            const Tensor<1, 2> &normal = gap[point].normal;
+            const double        factor = options_.penalty * table_.JxW[point];
+            for (const unsigned int a : element_columns[e])
+              for (const unsigned int b : element_columns[e])
+                for (unsigned int i = 0; i < 2; ++i)
+                  for (unsigned int j = 0; j < 2; ++j)
+                    tangent.add(2 * element.functions[a] + i,
+                                2 * element.functions[b] + j,
+                                factor * element.values[q * n + a] *
+                                  element.values[q * n + b] * normal[i] *
+                                  normal[j]);
+          }
+      }
+  }
+} // namespace asperity

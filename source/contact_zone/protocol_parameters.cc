@@ -1,0 +1,83 @@
+#include <asperity/contact_zone/scene_parameters.h>
+
+namespace asperity
+{
+  void
+  ProtocolParameters::declare(ParameterDeclarator &parameters)
+  {
+    const auto in_section = parameters.subsection("Protocol");
+    parameters.quantity("End time",
+                        end_time,
+                        "us",
+                        Range::positive(),
+                        "t_end. With the window `steady` it only sets the "
+                        "length of the load ramp.");
+    parameters.number("Ramp fraction",
+                      ramp_fraction,
+                      Range::between(0.001, 1.),
+                      "t_r/t_end: the pressure follows p/2 (1 - cos(pi "
+                      "t/t_r)) until t_r.");
+    parameters.integer("Ramp steps",
+                       ramp_steps,
+                       Range::between(1, 100000),
+                       "Time steps in the load ramp.");
+    parameters.integer("Slide steps",
+                       slide_steps,
+                       Range::between(1, 1000000),
+                       "Time steps from the end of the ramp to t_end.");
+    parameters.choice("Inertia",
+                      inertia,
+                      {{"automatic", Inertia::automatic},
+                       {"quasi-static", Inertia::quasi_static},
+                       {"dynamic", Inertia::dynamic}},
+                      "Whether the chip's mass counts: `automatic` follows the "
+                      "scene audit; `quasi-static`; `dynamic`, "
+                      "generalized-alpha as in the seed, the chip starting "
+                      "with velocity v.");
+    parameters.number("Spectral radius",
+                      spectral_radius,
+                      Range::between(0., 1.),
+                      "Dynamic runs: spectral radius of generalized-alpha at "
+                      "infinite frequency; 1 damps nothing.");
+    declare_window(parameters);
+  }
+
+
+
+  void
+  ProtocolParameters::declare_window(ParameterDeclarator &parameters)
+  {
+    parameters.choice("Friction window",
+                      window,
+                      {{"time", FrictionWindow::time},
+                       {"steady", FrictionWindow::steady}},
+                      "Over what mu is averaged: `time`, the last part of "
+                      "t_end; `steady`, windows of sliding distance, until two "
+                      "in succession agree.");
+    parameters.number("Window fraction",
+                      window_fraction,
+                      Range::between(0.001, 1.),
+                      "Window `time`: the averaged last part of t_end.");
+    parameters.quantity("Steady distance",
+                        steady_distance,
+                        "um",
+                        Range::positive(),
+                        "Window `steady`: sliding distance of a window.");
+    parameters.quantity("Steady step",
+                        steady_step,
+                        "nm",
+                        Range::positive(),
+                        "Window `steady`: sliding distance of a time step.");
+    parameters.number("Steady tolerance",
+                      steady_tolerance,
+                      Range::positive(),
+                      "Window `steady`: relative change of mu between "
+                      "successive windows that ends the run.");
+    parameters.quantity("Maximum distance",
+                        maximum_distance,
+                        "um",
+                        Range::positive(),
+                        "Window `steady`: sliding distance at which the run "
+                        "ends with a warning if mu is not steady.");
+  }
+} // namespace asperity
