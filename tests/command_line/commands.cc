@@ -49,6 +49,14 @@ TEST_F(Commands, the_reference_explains_every_listed_parameter)
   EXPECT_GT(n_entries, 40u);
 }
 
+TEST_F(Commands, the_printed_reference_is_the_one_in_the_documentation)
+{
+  std::ifstream     file(ASPERITY_SOURCE_DIR "/doc/parameters.md");
+  const std::string documented{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_EQ(run("parameters --markdown").output, documented)
+    << "renew it: build/asperity parameters --markdown > doc/parameters.md";
+}
+
 TEST_F(Commands, wrong_command_lines_are_refused)
 {
   const auto errors = [&](const std::string &arguments) {
