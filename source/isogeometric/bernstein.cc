@@ -84,22 +84,28 @@ namespace asperity
                    const dealii::FullMatrix<double> &x,
                    const dealii::FullMatrix<double> &y)
   {
+    // Matrices are stored by rows; plain pointers keep debug builds bearable.
     const unsigned int         n = x.m();
     dealii::FullMatrix<double> result(coefficients.m(), n * n);
-    std::vector<double>        half(n * n);
+    if (coefficients.m() == 0)
+      return result;
+    const double       *X = &x(0, 0), *Y = &y(0, 0);
+    std::vector<double> half(n * n);
     for (unsigned int row = 0; row < coefficients.m(); ++row)
       {
+        const double *from = &coefficients(row, 0);
+        double       *to   = &result(row, 0);
         std::fill(half.begin(), half.end(), 0.);
         for (unsigned int a_y = 0; a_y < n; ++a_y)
           for (unsigned int a_x = 0; a_x < n; ++a_x)
-            if (const double c = coefficients(row, a_y * n + a_x); c != 0.)
+            if (const double c = from[a_y * n + a_x]; c != 0.)
               for (unsigned int b_x = 0; b_x < n; ++b_x)
-                half[a_y * n + b_x] += c * x(a_x, b_x);
+                half[a_y * n + b_x] += c * X[a_x * n + b_x];
         for (unsigned int a_y = 0; a_y < n; ++a_y)
           for (unsigned int b_y = 0; b_y < n; ++b_y)
-            if (const double c = y(a_y, b_y); c != 0.)
+            if (const double c = Y[a_y * n + b_y]; c != 0.)
               for (unsigned int b_x = 0; b_x < n; ++b_x)
-                result(row, b_y * n + b_x) += c * half[a_y * n + b_x];
+                to[b_y * n + b_x] += c * half[a_y * n + b_x];
       }
     return result;
   }

@@ -225,6 +225,17 @@ namespace
     }
   };
 
+  /** Degrees to be tested; see example::degrees(). */
+  std::vector<unsigned int>
+  orders()
+  {
+#ifdef DEBUG
+    return {2};
+#else
+    return {1, 2, 3, 4};
+#endif
+  }
+
   bool
   everywhere(const Point<2> &, const Point<2> &)
   {
@@ -256,7 +267,7 @@ namespace
 
 TEST(Poisson, optimal_order_on_a_wavy_patch)
 {
-  for (unsigned int p = 1; p <= 4; ++p)
+  for (const unsigned int p : orders())
     for (const bool periodic : {false, true})
       {
         Patch               patch(p, periodic);
@@ -275,7 +286,7 @@ TEST(Poisson, optimal_order_on_a_wavy_patch)
 
 TEST(Poisson, optimal_order_on_hierarchical_meshes)
 {
-  for (unsigned int p = 1; p <= 4; ++p)
+  for (const unsigned int p : orders())
     for (const bool periodic : {false, true})
       {
         std::vector<Errors> errors;
@@ -297,8 +308,10 @@ TEST(Poisson, optimal_order_on_hierarchical_meshes)
 
 TEST(Poisson, refining_at_the_bump_halves_the_error_with_few_functions)
 {
-  for (unsigned int p = 2; p <= 4; ++p)
+  for (const unsigned int p : orders())
     {
+      if (p == 1)
+        continue; // first order gains a factor of two at best
       Patch coarse(p, false), local(p, false), fine(p, false);
       for (Patch *patch : {&coarse, &local, &fine})
         patch->refine(3, everywhere);
