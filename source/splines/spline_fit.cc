@@ -1,5 +1,6 @@
 #include <asperity/base/errors.h>
 #include <asperity/splines/banded_solver.h>
+#include <asperity/splines/collocation.h>
 #include <asperity/splines/spline_fit.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -17,49 +18,7 @@ namespace asperity
 
   namespace
   {
-    /** The basis at one datum; control points of the next turn are folded into
-     *  the datum, which turns the fit into one of periodic coefficients. */
-    struct Row
-    {
-      std::vector<unsigned int> functions;
-      std::vector<double>       values;
-      Tensor<1, 2>              target;
-    };
-
-
-
-    std::vector<Row>
-    collocation(const KnotVector            &knots,
-                const std::vector<Point<2>> &points,
-                const std::vector<double>   &parameters,
-                const Tensor<1, 2>          &period)
-    {
-      if (points.size() != parameters.size())
-        throw InputError("A spline fit has " + std::to_string(points.size()) +
-                         " points and " + std::to_string(parameters.size()) +
-                         " parameters, but as many of each are expected.");
-      const double     length = knots.back() - knots.front();
-      std::vector<Row> rows(points.size());
-      for (unsigned int i = 0; i < rows.size(); ++i)
-        {
-          if (!std::isfinite(points[i][0]) || !std::isfinite(points[i][1]) ||
-              !std::isfinite(parameters[i]))
-            throw InputError("Datum " + std::to_string(i) +
-                             " of a spline fit is not a finite number.");
-          const double       t    = knots.wrap(parameters[i]);
-          const unsigned int span = knots.find_span(t);
-          rows[i].functions       = knots.span_functions(span);
-          rows[i].values          = knots.evaluate(span, t)[0];
-          rows[i].target          = points[i];
-          if (!knots.is_periodic())
-            continue;
-          rows[i].target -= std::round((parameters[i] - t) / length) * period;
-          for (unsigned int j = 0; j <= knots.degree(); ++j)
-            if (span + j >= knots.n_basis())
-              rows[i].target -= rows[i].values[j] * period;
-        }
-      return rows;
-    }
+    using Row = CollocationRow;
 
 
 
@@ -116,17 +75,6 @@ namespace asperity
             weights.push_back(options.bending * width * quadrature.weight(q));
           }
       return rows;
-    }
-
-
-
-    Tensor<1, 2>
-    residual(const Row &row, const std::vector<Point<2>> &control_points)
-    {
-      Tensor<1, 2> result = row.target;
-      for (unsigned int j = 0; j < row.functions.size(); ++j)
-        result -= row.values[j] * control_points[row.functions[j]];
-      return result;
     }
 
 
@@ -256,6 +204,52 @@ namespace asperity
 
 
 
+  namespace
+  {
+    /**
+     * Normal equations square the condition number; two corrections with the
+     * residual of the data themselves recover the accuracy of a QR solution.
+     * @param ends fixed first and last control point, or null pointers
+     */
+    std::vector<Point<2>>
+    solve_least_squares(const BandedSolver        &normal_equations,
+                        const std::vector<Row>    &rows,
+                        const std::vector<double> &weights,
+                        const unsigned int         n,
+                        const Point<2> *const      ends[2])
+    {
+      std::vector<Point<2>> control_points(n);
+      for (unsigned int correction = 0; correction < 3; ++correction)
+        {
+          std::array<std::vector<double>, 2> right_hand_sides;
+          for (auto &right_hand_side : right_hand_sides)
+            right_hand_side.resize(n);
+          for (unsigned int i = 0; i < rows.size(); ++i)
+            {
+              const Tensor<1, 2> r = residual(rows[i], control_points);
+              for (unsigned int a = 0; a < rows[i].functions.size(); ++a)
+                for (unsigned int d = 0; d < 2; ++d)
+                  right_hand_sides[d][rows[i].functions[a]] +=
+                    weights[i] * rows[i].values[a] * r[d];
+            }
+          for (unsigned int d = 0; d < 2; ++d)
+            {
+              if (ends[0] != nullptr)
+                right_hand_sides[d][0] = (*ends[0])[d] - control_points[0][d];
+              if (ends[1] != nullptr)
+                right_hand_sides[d][n - 1] =
+                  (*ends[1])[d] - control_points[n - 1][d];
+              normal_equations.solve(right_hand_sides[d]);
+              for (unsigned int i = 0; i < n; ++i)
+                control_points[i][d] += right_hand_sides[d][i];
+            }
+        }
+      return control_points;
+    }
+  } // namespace
+
+
+
   SplineFit
   fit_least_squares(const KnotVector            &knot_vector,
                     const std::vector<Point<2>> &points,
@@ -291,36 +285,10 @@ namespace asperity
     if (!normal_equations.factorize())
       refuse_singular("take fewer spans or a bending term");
 
-    // Normal equations square the condition number; two corrections with the
-    // residual of the data themselves recover the accuracy of a QR solution.
-    std::vector<Point<2>> control_points(n);
-    for (unsigned int correction = 0; correction < 3; ++correction)
-      {
-        std::array<std::vector<double>, 2> right_hand_sides;
-        for (auto &right_hand_side : right_hand_sides)
-          right_hand_side.resize(n);
-        for (unsigned int i = 0; i < rows.size(); ++i)
-          {
-            const Tensor<1, 2> r = residual(rows[i], control_points);
-            for (unsigned int a = 0; a < rows[i].functions.size(); ++a)
-              for (unsigned int d = 0; d < 2; ++d)
-                right_hand_sides[d][rows[i].functions[a]] +=
-                  weights[i] * rows[i].values[a] * r[d];
-          }
-        for (unsigned int d = 0; d < 2; ++d)
-          {
-            if (fix_ends)
-              {
-                right_hand_sides[d][0] =
-                  points.front()[d] - control_points[0][d];
-                right_hand_sides[d][n - 1] =
-                  points.back()[d] - control_points[n - 1][d];
-              }
-            normal_equations.solve(right_hand_sides[d]);
-            for (unsigned int i = 0; i < n; ++i)
-              control_points[i][d] += right_hand_sides[d][i];
-          }
-      }
+    const Point<2> *ends[2] = {fix_ends ? &points.front() : nullptr,
+                               fix_ends ? &points.back() : nullptr};
+    const std::vector<Point<2>> control_points =
+      solve_least_squares(normal_equations, rows, weights, n, ends);
     return {SplineCurve(knot_vector, control_points, {}, options.period),
             make_report(data, control_points)};
   }

@@ -9,6 +9,37 @@ namespace asperity
   using dealii::Point;
   using dealii::Tensor;
 
+  namespace
+  {
+    /** From the derivatives of w S and of w those of S, in place: Leibniz' rule
+     *  in two variables (Piegl and Tiller, equation 4.20). */
+    void
+    divide_by_weight(const std::vector<std::vector<double>> &w,
+                     std::vector<std::vector<Tensor<1, 2>>> &S)
+    {
+      for (unsigned int k = 0; k < S.size(); ++k)
+        for (unsigned int l = 0; l < S[k].size(); ++l)
+          {
+            double binomial_k = 1.;
+            for (unsigned int i = 0; i <= k; ++i)
+              {
+                double binomial_l = 1.;
+                for (unsigned int j = 0; j <= l; ++j)
+                  {
+                    if (i + j > 0)
+                      S[k][l] -=
+                        binomial_k * binomial_l * w[i][j] * S[k - i][l - j];
+                    binomial_l *= double(l - j) / (j + 1);
+                  }
+                binomial_k *= double(k - i) / (i + 1);
+              }
+            S[k][l] /= w[0][0];
+          }
+    }
+  } // namespace
+
+
+
   SplinePatch::SplinePatch(const std::array<KnotVector, 2>   &knot_vectors,
                            const std::vector<Point<2>>       &control_points,
                            const std::vector<double>         &weights,
@@ -155,25 +186,7 @@ namespace asperity
         }
 
     if (is_rational())
-      for (unsigned int k = 0; k <= n; ++k)
-        for (unsigned int l = 0; k + l <= n; ++l)
-          {
-            // Leibniz' rule for w S in two variables
-            double binomial_k = 1.;
-            for (unsigned int i = 0; i <= k; ++i)
-              {
-                double binomial_l = 1.;
-                for (unsigned int j = 0; j <= l; ++j)
-                  {
-                    if (i + j > 0)
-                      result[k][l] -= binomial_k * binomial_l * w[i][j] *
-                                      result[k - i][l - j];
-                    binomial_l *= double(l - j) / (j + 1);
-                  }
-                binomial_k *= double(k - i) / (i + 1);
-              }
-            result[k][l] /= w[0][0];
-          }
+      divide_by_weight(w, result);
     result[0][0] += turn_shift;
     return result;
   }

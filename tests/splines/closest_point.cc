@@ -97,6 +97,15 @@ namespace
 
 
 
+  // Unoptimized code with sanitizers is slow: a sample suffices there.
+#ifdef DEBUG
+  constexpr unsigned int thinning = 20;
+#else
+  constexpr unsigned int thinning = 1;
+#endif
+
+
+
   std::vector<Point<2>>
   random_points(const unsigned int n,
                 const Point<2>    &low,
@@ -106,7 +115,7 @@ namespace
     std::mt19937                           generator(seed);
     std::uniform_real_distribution<double> uniform(0., 1.);
     std::vector<Point<2>>                  points;
-    for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int i = 0; i < n / thinning; ++i)
       {
         const double x = uniform(generator), y = uniform(generator);
         points.emplace_back(low[0] + x * (high[0] - low[0]),
@@ -209,7 +218,7 @@ TEST(ClosestPoint, valley_centre)
     {
       const SplineCurve     curve = sine(24, 1., degree);
       std::vector<Point<2>> points;
-      for (unsigned int i = 0; i < 50000; ++i)
+      for (unsigned int i = 0; i < 50000; i += thinning)
         {
           const double eps = (i % 5) * 1e-9 * std::cos(i);
           points.emplace_back(M_PI + eps, -1.2 + 6. * i / 50000.);
@@ -226,7 +235,7 @@ TEST(ClosestPoint, points_on_and_beside_the_evolute)
     {
       const SplineCurve     curve = rough_profile(60, degree);
       std::vector<Point<2>> points;
-      for (unsigned int i = 0; i < 100000; ++i)
+      for (unsigned int i = 0; i < 100000; i += thinning)
         {
           const auto   C     = curve.derivatives(10. * i / 100000., 2);
           const double speed = C[1].norm();

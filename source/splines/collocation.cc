@@ -1,0 +1,56 @@
+#include <asperity/base/errors.h>
+#include <asperity/splines/collocation.h>
+
+#include <cmath>
+#include <string>
+
+namespace asperity
+{
+  using dealii::Point;
+  using dealii::Tensor;
+
+  std::vector<CollocationRow>
+  collocation(const KnotVector            &knots,
+              const std::vector<Point<2>> &points,
+              const std::vector<double>   &parameters,
+              const Tensor<1, 2>          &period)
+  {
+    if (points.size() != parameters.size())
+      throw InputError("A spline fit has " + std::to_string(points.size()) +
+                       " points and " + std::to_string(parameters.size()) +
+                       " parameters, but as many of each are expected.");
+    const double                length = knots.back() - knots.front();
+    std::vector<CollocationRow> rows(points.size());
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      {
+        if (!std::isfinite(points[i][0]) || !std::isfinite(points[i][1]) ||
+            !std::isfinite(parameters[i]))
+          throw InputError("Datum " + std::to_string(i) +
+                           " of a spline fit is not a finite number.");
+        const double       t    = knots.wrap(parameters[i]);
+        const unsigned int span = knots.find_span(t);
+        rows[i].functions       = knots.span_functions(span);
+        rows[i].values          = knots.evaluate(span, t)[0];
+        rows[i].target          = points[i];
+        if (!knots.is_periodic())
+          continue;
+        rows[i].target -= std::round((parameters[i] - t) / length) * period;
+        for (unsigned int j = 0; j <= knots.degree(); ++j)
+          if (span + j >= knots.n_basis())
+            rows[i].target -= rows[i].values[j] * period;
+      }
+    return rows;
+  }
+
+
+
+  Tensor<1, 2>
+  residual(const CollocationRow        &row,
+           const std::vector<Point<2>> &control_points)
+  {
+    Tensor<1, 2> result = row.target;
+    for (unsigned int j = 0; j < row.functions.size(); ++j)
+      result -= row.values[j] * control_points[row.functions[j]];
+    return result;
+  }
+} // namespace asperity
