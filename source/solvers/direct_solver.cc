@@ -283,13 +283,6 @@ namespace asperity
     class Mumps : public DirectSolver
     {
     public:
-      Mumps()
-        : solver(control,
-                 dealii::TrilinosWrappers::SolverDirect::AdditionalData(
-                   false,
-                   "Amesos_Mumps"))
-      {}
-
       void
       reset() override
       {}
@@ -299,8 +292,14 @@ namespace asperity
       {
         try
           {
+            // Amesos keeps pointers into the matrix: the old solver goes first.
+            solver.reset();
             trilinos_matrix.reinit(matrix);
-            solver.initialize(trilinos_matrix);
+            solver = std::make_unique<dealii::TrilinosWrappers::SolverDirect>(
+              control,
+              dealii::TrilinosWrappers::SolverDirect::AdditionalData(
+                false, "Amesos_Mumps"));
+            solver->initialize(trilinos_matrix);
           }
         catch (const dealii::ExceptionBase &)
           {
@@ -316,14 +315,14 @@ namespace asperity
         dealii::TrilinosWrappers::MPI::Vector b(all, MPI_COMM_SELF),
           x(all, MPI_COMM_SELF);
         std::copy(rhs.begin(), rhs.end(), b.begin());
-        solver.solve(x, b);
+        solver->solve(x, b);
         std::copy(x.begin(), x.end(), rhs.begin());
       }
 
     private:
-      dealii::SolverControl                          control;
-      dealii::TrilinosWrappers::SparseMatrix         trilinos_matrix;
-      mutable dealii::TrilinosWrappers::SolverDirect solver;
+      dealii::SolverControl                                   control;
+      dealii::TrilinosWrappers::SparseMatrix                  trilinos_matrix;
+      std::unique_ptr<dealii::TrilinosWrappers::SolverDirect> solver;
     };
   } // namespace
 
