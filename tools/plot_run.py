@@ -285,7 +285,7 @@ def plot_topography(directory, step, target):
     scene = Scene(directory, step)
     L, start = scene.period, scene.tool[:, 0].min()
     bottom, top = scene.chip[:, 1].min(), scene.tool[:, 1].max()
-    whole = (start, start + 2. * L, bottom, top + 0.08 * L)
+    whole = (start, start + 2. * L, bottom, top + 0.07 * L)
     zoom = magnified_box(scene)
 
     # A few points at the sharpest asperity would else darken all the rest.
@@ -297,7 +297,7 @@ def plot_topography(directory, step, target):
                                   constrained_layout=True)
     image = draw_scene(panels[0], scene, zoom, norm,
                        0.11 * (zoom[1] - zoom[0]), True)
-    draw_scene(panels[1], scene, whole, norm, 0.1 * L, False)
+    draw_scene(panels[1], scene, whole, norm, 0.07 * L, False)
     label_bodies(panels[0])
     label_bodies(panels[1])
     panels[1].add_patch(plt.Rectangle((zoom[0], zoom[2]), zoom[1] - zoom[0],

@@ -261,6 +261,13 @@ namespace asperity
         if (p > options_.penalty * gap[q].gap && p > 0.)
           in_contact += table_.JxW[q];
       }
+    const std::vector<double> &pressures =
+      (options_.formulation == ContactFormulation::mortar) ? function_pressure :
+                                                             point_pressure;
+    for (unsigned int i = 0; i < multiplier.size(); ++i)
+      state.constraint_violation =
+        std::max(state.constraint_violation,
+                 std::abs(pressures[i] - multiplier[i]) / options_.penalty);
     state.contact_fraction = in_contact / length;
     state.mean_gap /= length;
     return state;

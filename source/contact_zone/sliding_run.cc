@@ -127,7 +127,7 @@ namespace asperity
       newton(*scene.equilibrium, u, options, statistics);
     for (unsigned int k = 0;
          k < parameters.contact.augmentations && report.converged &&
-         scene.contact->state().max_penetration >
+         scene.contact->state().constraint_violation >
            parameters.contact.penetration_tolerance;
          ++k)
       {
@@ -145,21 +145,21 @@ namespace asperity
     const double        x  = protocol_.displacement(state_.time + dt);
     const double        dx = x - protocol_.displacement(state_.time);
     std::vector<Vector> list;
+    if (state_.step > 1)
+      {
+        Vector u = state_.u;
+        u.sadd(1. + dt / state_.dt_previous,
+               -dt / state_.dt_previous,
+               state_.u_previous);
+        list.push_back(u);
+      }
     if (dynamics_)
       list.push_back(dynamics_->predict(dt));
     else if (state_.step == 0)
       list.push_back(scene.translation(
         x, touching_shift(protocol_.pressure(state_.time + dt), x)));
-    else
+    if (state_.step > 0)
       {
-        if (state_.step > 1)
-          {
-            Vector u = state_.u;
-            u.sadd(1. + dt / state_.dt_previous,
-                   -dt / state_.dt_previous,
-                   state_.u_previous);
-            list.push_back(u);
-          }
         Vector u = state_.u;
         u += scene.translation(dx, 0.);
         list.push_back(u);
@@ -254,16 +254,16 @@ namespace asperity
           std::max(row.max_plastic_strain, point.plastic_strain);
         row.max_temperature = std::max(row.max_temperature, point.temperature);
       }
-    unsigned int iterations = 0, factorisations = 0;
+    unsigned int iterations = 0;
     for (const FrictionRow &earlier : state_.rows)
-      {
-        iterations += earlier.newton_iterations;
-        factorisations += earlier.factorisations;
-      }
+      iterations += earlier.newton_iterations;
     row.newton_iterations = statistics.iterations - iterations;
-    row.factorisations =
-      scene.equilibrium->cost().factorisations - factorisations;
-    row.wall_time = seconds;
+    // Those of this process: a restarted one has not made the earlier ones.
+    const unsigned int factorisations =
+      scene.equilibrium->cost().factorisations;
+    row.factorisations      = factorisations - recorded_factorisations;
+    recorded_factorisations = factorisations;
+    row.wall_time           = seconds;
     state_.rows.push_back(row);
   }
 

@@ -34,7 +34,13 @@ namespace asperity
     double contact_fraction = 0.; ///< share of the reference length in contact
     double max_pressure     = 0.; ///< [Pa]
     double max_penetration  = 0.; ///< [m]
-    double mean_gap         = 0.; ///< mean of max(gap, 0) over the length [m]
+
+    /** Largest penetration (or gap under a multiplier) in the sense of the
+     *  discrete constraints, |p - lambda| / epsilon over functions (mortar) or
+     *  points [m]: what augmentation removes. The mortar's pointwise
+     *  penetration also holds what the mesh cannot follow. */
+    double constraint_violation = 0.;
+    double mean_gap = 0.; ///< mean of max(gap, 0) over the length [m]
   };
 
   /**

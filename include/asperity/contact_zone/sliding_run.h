@@ -110,7 +110,8 @@ namespace asperity
     LoadProtocol           protocol_;
     RunState               state_;
     NewtonStatistics       statistics;
-    unsigned int           cuts = 0;
+    unsigned int           cuts                    = 0;
+    unsigned int           recorded_factorisations = 0;
 
     std::unique_ptr<GeneralizedAlpha>             dynamics_;
     std::unique_ptr<dealii::SparseMatrix<double>> mass;
