@@ -162,16 +162,15 @@ def cost(arguments):
     sizes = []
     for spans, levels, strip in ((40, 1, "0.3 um"), (80, 2, "0.3 um"),
                                  (160, 3, "0.3 um"), (320, 3, "0.3 um"),
-                                 (640, 3, "0.3 um"), (640, 2, "0.6 um"),
-                                 (640, 1, "1 um")):
+                                 (640, 3, "0.3 um"), (1280, 3, "0.3 um")):
         summary = run(arguments, f"cost_{spans}_{levels}",
                       {**load_case(300, 200, 25), "Mesh/Spans": spans,
                        "Mesh/Refinement levels": levels,
                        "Mesh/Strip depth": strip,
                        "Mesh/Row grading": 1.2,
-                       "Protocol/End time": "0.05 us",
+                       "Protocol/End time": "0.02 us",
                        "Protocol/Ramp fraction": 1,
-                       "Protocol/Ramp steps": 8})
+                       "Protocol/Ramp steps": 3})
         times, n = summary["cost"], summary["cost"]["factorisations"]
         sizes.append((summary["mesh"]["unknowns"], 1e3 * times["assembly"] / n,
                       1e3 * times["factorisation"] / n))
