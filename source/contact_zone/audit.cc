@@ -1,4 +1,5 @@
 #include <asperity/contact_zone/audit.h>
+#include <asperity/contact_zone/load_protocol.h>
 
 #include <cmath>
 
@@ -37,8 +38,9 @@ namespace asperity
                                "carry; far below 1 it does not count"});
 
       const double diffusivity = conductivity / (scene.law->density() * 450.);
-      const double heat_length =
-        std::sqrt(diffusivity * parameters.protocol.end_time);
+      const double end_time =
+        LoadProtocol(parameters.load, parameters.protocol).end_time();
+      const double heat_length = std::sqrt(diffusivity * end_time);
       const double roughness =
         scene.tool_surface.maximum() - scene.tool_surface.minimum();
       audit.entries.push_back(
@@ -47,7 +49,7 @@ namespace asperity
          "far below 1 no heat leaves the asperity contacts: adiabatic; near "
          "and above 1 adiabatic heating is an upper bound"});
       audit.entries.push_back({"sliding distance over the period",
-                               v * parameters.protocol.end_time / scene.length,
+                               v * end_time / scene.length,
                                "below about 0.05 the contact is still running "
                                "in, and mu depends on the distance"});
     }
@@ -74,14 +76,41 @@ namespace asperity
         audit.warnings.push_back(
           "The contact penalty is soft against the roughness; raise the "
           "penalty factor or use augmentations.");
+      const double height = parameters.geometry.height / roughness;
       audit.entries.push_back(
         {"chip height over peak-to-valley height",
-         parameters.geometry.height / roughness,
+         height,
          "below about 3 the bottom of the chip feels the asperities"});
+      if (height < 3.)
+        audit.warnings.push_back(
+          "The chip is only " + format_quantity(height, "1", 2) +
+          " times as high as the tool is rough; its bottom feels the "
+          "asperities.");
+      const double elements =
+        roughness / std::max(slope, 1e-12) / scene.contact_element_length();
       audit.entries.push_back(
         {"elements across the steepest asperity",
-         roughness / std::max(slope, 1e-12) / scene.contact_element_length(),
+         elements,
          "below about 4 the mesh does not resolve the tool"});
+      if (elements < 4.)
+        audit.warnings.push_back(
+          "The mesh has " + format_quantity(elements, "1", 2) +
+          " elements across the steepest asperity and does not resolve the "
+          "tool; raise the spans or filter the tool.");
+    }
+
+    /** What the reader and the treatment of measured surfaces complain of. */
+    void
+    audit_surface(const Surface     &surface,
+                  const std::string &whose,
+                  SceneAudit        &audit)
+    {
+      if (!surface.topography)
+        return;
+      for (const auto &list :
+           {surface.topography->sanity.warnings, surface.topography->warnings})
+        for (const std::string &warning : list)
+          audit.warnings.push_back(whose + " surface: " + warning);
     }
   } // namespace
 
@@ -93,6 +122,8 @@ namespace asperity
     SceneAudit audit;
     audit_time_scales(parameters, scene, audit);
     audit_resolution(parameters, scene, audit);
+    audit_surface(scene.tool_surface, "Tool", audit);
+    audit_surface(scene.chip_surface, "Chip", audit);
     return audit;
   }
 } // namespace asperity

@@ -34,8 +34,32 @@ namespace asperity
       SceneParameters          parameters;
     };
 
+    /** What was made of the file of a measured surface. */
     void
-    print_scene(const Scene &scene, const SceneAudit &audit)
+    print_treatment(const Surface &surface)
+    {
+      if (!surface.topography)
+        return;
+      const TopographyReport &report = *surface.topography;
+      std::cout << "  " << report.sanity.format << ", " << report.sanity.nx
+                << " x " << report.sanity.ny << " points, "
+                << format_quantity(report.sanity.length_x, "um", 4) << " x "
+                << format_quantity(report.sanity.length_y, "um", 4) << "\n";
+      for (const std::string &step : report.steps)
+        std::cout << "  " << step << "\n";
+      const ProfileRoughness &roughness = report.profile_roughness;
+      std::cout << "  Finished profile: Rq "
+                << format_quantity(roughness.Rq, "um", 3) << ", Rz "
+                << format_quantity(roughness.Rz, "um", 3)
+                << ", root mean square slope "
+                << format_quantity(roughness.Rdq, "1", 3) << "; spline within "
+                << format_quantity(surface.fit_rms, "nm", 2) << " rms\n";
+    }
+
+    /** @param explain with the treatment of measured surfaces, and what the
+     *  numbers of the audit say */
+    void
+    print_scene(const Scene &scene, const SceneAudit &audit, const bool explain)
     {
       std::cout << "Tool: " << scene.tool_surface.description << ", period "
                 << format_quantity(scene.length, "um", 4) << ", peak to valley "
@@ -43,16 +67,24 @@ namespace asperity
                                      scene.tool_surface.minimum(),
                                    "um",
                                    3)
-                << "\nChip: " << scene.chip_surface.description << ", "
+                << "\n";
+      if (explain)
+        print_treatment(scene.tool_surface);
+      std::cout << "Chip: " << scene.chip_surface.description << ", "
                 << scene.law->name() << ", degree " << scene.space->degree()
                 << ", " << scene.space->n_cells() << " elements, "
                 << scene.n_dofs() << " unknowns, penalty "
-                << format_quantity(scene.penalty(), "Pa/m", 3)
-                << "\nScene audit:\n";
+                << format_quantity(scene.penalty(), "Pa/m", 3) << "\n";
+      if (explain)
+        print_treatment(scene.chip_surface);
+      std::cout << "Scene audit:\n";
       for (const AuditEntry &entry : audit.entries)
-        std::cout << "  " << std::left << std::setw(48) << entry.name
-                  << std::setprecision(3) << std::setw(10) << entry.value
-                  << " (" << entry.meaning << ")\n";
+        {
+          std::cout << "  " << std::left << std::setw(48) << entry.name
+                    << std::setprecision(3) << entry.value << "\n";
+          if (explain)
+            std::cout << "      " << entry.meaning << "\n";
+        }
       std::cout << "Models: dry, "
                 << (audit.inertia == Inertia::dynamic ? "dynamic" :
                                                         "quasi-static")
@@ -90,20 +122,9 @@ namespace asperity
     std::vector<std::string>
     collect_warnings(const SlidingRun      &run,
                      const SceneParameters &parameters,
-                     const Scene           &scene,
                      const SceneAudit      &audit)
     {
       std::vector<std::string> warnings = audit.warnings;
-      if (scene.tool_surface.topography)
-        {
-          const auto &report = *scene.tool_surface.topography;
-          warnings.insert(warnings.end(),
-                          report.sanity.warnings.begin(),
-                          report.sanity.warnings.end());
-          warnings.insert(warnings.end(),
-                          report.warnings.begin(),
-                          report.warnings.end());
-        }
       if (parameters.protocol.window == FrictionWindow::steady &&
           !run.is_steady())
         warnings.push_back(
@@ -171,7 +192,7 @@ namespace asperity
     SceneAudit audit = audit_scene(parameters, scene);
     resolve_models(parameters, audit);
     std::cout << version_line() << "\n";
-    print_scene(scene, audit);
+    print_scene(scene, audit, false);
 
     SlidingRun   run(parameters, scene);
     unsigned int restart_step = 0;
@@ -204,7 +225,7 @@ namespace asperity
                                " The last good state is in " +
                                parameters.output.directory + "/checkpoint.");
       }
-    const auto warnings = collect_warnings(run, parameters, scene, audit);
+    const auto warnings = collect_warnings(run, parameters, audit);
     output.finish(run, audit, warnings, timer.wall_time());
     progress.note("");
     print_result(run, parameters, warnings, timer.wall_time());
@@ -222,7 +243,7 @@ namespace asperity
     const Scene scene(input.parameters);
     SceneAudit  audit = audit_scene(input.parameters, scene);
     resolve_models(input.parameters, audit);
-    print_scene(scene, audit);
+    print_scene(scene, audit, true);
     for (const std::string &warning : audit.warnings)
       std::cout << "Warning: " << warning << "\n";
     std::cout << file << " is valid.\n";

@@ -207,8 +207,8 @@ namespace asperity
         apply_l_filter(m, i);
       });
       if (p.l_filter == 0.)
-        report.warnings.push_back(
-          "No L-filter: the values R* are those of the primary profile, which "
+        report.steps.push_back(
+          "L-filter: none; the values R* are those of the primary profile, which "
           "ISO 4287 calls Pa, Pq, Pt and so on.");
     }
 
