@@ -264,7 +264,10 @@ def magnified_box(scene):
     L = scene.period
     width = np.clip(12. * np.ptp(scene.tool[:, 1]), 0.25 * L, L)
     hardest = scene.line[np.argmax(np.linalg.norm(scene.traction, axis=1))]
-    centre = scene.tool[:, 0].min() + (hardest[0] - scene.tool[:, 0].min()) % L
+    start = scene.tool[:, 0].min()
+    centre = start + (hardest[0] - start) % L
+    if centre - 0.5 * width < start:
+        centre += L
     return (centre - 0.5 * width, centre + 0.5 * width,
             hardest[1] - 0.2 * width, hardest[1] + 0.13 * width)
 

@@ -82,10 +82,12 @@ namespace
       return rows;
     }
 
+    /** The list of pictures, without its date. */
     std::string
     series(const std::string &directory) const
     {
-      return read(directory + "/chip.pvd");
+      const std::string text = read(directory + "/chip.pvd");
+      return text.substr(std::min(text.size(), text.find("<Collection>")));
     }
   };
 } // namespace
