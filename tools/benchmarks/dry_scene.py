@@ -162,7 +162,7 @@ def cost(arguments):
     sizes = []
     for spans, levels, strip in ((40, 1, "0.3 um"), (80, 2, "0.3 um"),
                                  (160, 3, "0.3 um"), (320, 3, "0.3 um"),
-                                 (640, 3, "0.3 um"), (1280, 3, "0.3 um")):
+                                 (640, 3, "0.3 um"), (640, 2, "1.4 um")):
         summary = run(arguments, f"cost_{spans}_{levels}",
                       {**load_case(300, 200, 25), "Mesh/Spans": spans,
                        "Mesh/Refinement levels": levels,
