@@ -204,7 +204,7 @@ namespace asperity
         first = std::ceil((point * direction - reach - reach_high) / period);
         last  = std::floor((point * direction + reach - reach_low) / period);
       }
-    const bool all_turns = (last - first < max_turns);
+    const bool all_turns = (last - first < max_turns) && std::isfinite(reach);
     if (all_turns)
       for (double turn = first; turn <= last; ++turn)
         {
@@ -221,7 +221,12 @@ namespace asperity
     Projection projection = minimizer.describe(certificate.best(), side);
     projection.iterations = known.iterations;
     projection.certified  = all_turns;
-    projection.converged  = projection.converged || all_turns;
+    if (all_turns && projection.method == Projection::Method::none)
+      {
+        // The search of all pieces found nothing better either.
+        projection.method    = Projection::Method::subdivision;
+        projection.converged = true;
+      }
     return projection;
   }
 

@@ -183,14 +183,14 @@ namespace asperity
   {
     result.method  = Projection::Method::levenberg_marquardt;
     double damping = 1.;
-    for (unsigned int i = 0; i < 200; ++i)
+    for (unsigned int i = 0; i < 30; ++i)
       {
         const DistanceJet here = result.jet;
         if (stationary(here) && here.hessian() >= 0.)
           return true;
         const double normal_term =
           here.squared_speed() + here.x2 * here.x2 + here.y2 * here.y2;
-        if (!(normal_term > 0.))
+        if (!(normal_term > 0.) || !std::isfinite(here.gradient()))
           return false;
         const double ds =
           -here.gradient() / (here.squared_speed() + damping * normal_term);
@@ -222,21 +222,27 @@ namespace asperity
     Result result;
     result.location = start;
     result.jet      = jet(start);
-    if (newton(result))
-      return result;
-    if (!sequential_quadratic_programming(result) &&
-        !levenberg_marquardt(result))
+    // Far from its start a method may have come near to a minimum on which an
+    // earlier one can now finish: several rounds.
+    for (unsigned int round = 0; round < 10; ++round)
       {
-        result.method = Projection::Method::none;
-        return result;
+        if (newton(result))
+          return result;
+        if (sequential_quadratic_programming(result) ||
+            levenberg_marquardt(result))
+          {
+            // Methods that compare distances stop at the square root of
+            // round-off.
+            Result polished = result;
+            if (newton(polished))
+              {
+                polished.method = result.method;
+                return polished;
+              }
+            return result;
+          }
       }
-    // Methods that compare distances stop at the square root of round-off.
-    Result polished = result;
-    if (newton(polished))
-      {
-        polished.method = result.method;
-        return polished;
-      }
+    result.method = Projection::Method::none;
     return result;
   }
 

@@ -200,6 +200,16 @@ TEST(ClosestPoint, the_unit_of_length_does_not_matter)
 
 
 
+TEST(ClosestPoint, a_point_that_is_not_finite_is_not_certified)
+{
+  const ClosestPoint search(wavy());
+  EXPECT_FALSE(search.project(Point<2>(1., NAN), 1.).certified);
+  EXPECT_FALSE(search.project(Point<2>(1., NAN), 1.).converged);
+  EXPECT_FALSE(search.project_locally(Point<2>(1., NAN), 1.).converged);
+}
+
+
+
 TEST(ClosestPoint, too_high_a_degree_is_refused)
 {
   const KnotVector knots(11, {0., 1.});

@@ -24,7 +24,8 @@ namespace asperity
    * of stationary points (Descartes), and de Casteljau subdivision sharpens
    * both; T. Sederberg, T. Nishita, Computer-Aided Design 22 (1990) 538-549.
    *
-   * No function allocates memory; all are thread-safe.
+   * With a guess that is near nothing allocates memory. All functions are
+   * thread-safe. A point that is not finite gives `certified = false`.
    */
   class ClosestPoint
   {
