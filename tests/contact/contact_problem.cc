@@ -28,8 +28,8 @@ namespace example
 
 
 
-  Cylinder::Cylinder(const Point<2> &center, const double radius)
-    : center(center)
+  Cylinder::Cylinder(const Point<2> &lowest_point, const double radius)
+    : lowest_point(lowest_point)
     , radius(radius)
   {}
 
@@ -38,11 +38,15 @@ namespace example
   GapPoint
   Cylinder::gap(const Point<2> &x, double &) const
   {
-    GapPoint     gap;
-    const double distance = center.distance(x);
-    gap.gap               = distance - radius;
-    gap.normal            = (x - center) / distance;
-    gap.curvature         = 1. / radius;
+    // From the lowest point, since distance - radius would lose the digits of a
+    // gap that is small beside the radius.
+    const auto             s = x - lowest_point;
+    const dealii::Point<2> from_center(s[0], s[1] - radius);
+    const double           distance = from_center.norm();
+    GapPoint               gap;
+    gap.gap    = (s.norm_square() - 2. * radius * s[1]) / (distance + radius);
+    gap.normal = from_center / distance;
+    gap.curvature = 1. / radius;
     return gap;
   }
 
@@ -68,7 +72,7 @@ namespace example
       depths.push_back(depths.back() + row);
     std::vector<double> levels;
     for (const double depth : depths)
-      levels.push_back(height * (1. - depth / depths.back()));
+      levels.push_back(-height * depth / depths.back());
     std::reverse(levels.begin(), levels.end());
     return levels;
   }
@@ -90,12 +94,13 @@ namespace example
                                  std::shared_ptr<const MaterialLaw>   law,
                                  std::shared_ptr<const RigidObstacle> obstacle,
                                  const ContactOptions &contact_options,
-                                 const Support         support)
+                                 const Support         support,
+                                 const PatchGeometry  &geometry)
     : u(2 * space->n_functions())
     , space(space)
-    , solid(std::make_unique<SolidAssembler>(space, PatchGeometry(), law))
+    , solid(std::make_unique<SolidAssembler>(space, geometry, law))
     , contact(std::make_unique<ContactAssembler>(space,
-                                                 PatchGeometry(),
+                                                 geometry,
                                                  Edge::top,
                                                  obstacle,
                                                  contact_options))
@@ -115,6 +120,7 @@ namespace example
                                                              contact.get()},
                                     is_prescribed);
     options.maximum_iterations = 60;
+    options.line_search_trials = 30;
   }
 
 
@@ -129,23 +135,41 @@ namespace example
 
 
 
+  bool
+  ContactProblem::move(const double from, const double to)
+  {
+    const dealii::Vector<double> start = u;
+    for (const unsigned int n_steps : {1, 4, 16})
+      {
+        u = start;
+        for (unsigned int k = 1; k <= n_steps; ++k)
+          if (!solve(0., -(from + (to - from) * k / n_steps)).converged)
+            break;
+        if (last.converged)
+          return true;
+      }
+    return false;
+  }
+
+
+
   double
   ContactProblem::press(const double force_wanted, const double depth)
   {
     double previous = 0., force_previous = 0., now = depth;
-    for (unsigned int k = 0; k < 30; ++k)
+    while (move(previous, now))
       {
-        if (!solve(0., -now).converged)
-          break;
         const double f = force();
         if (std::abs(f - force_wanted) <= 1e-6 * force_wanted)
           return now;
         const double slope = (f - force_previous) / (now - previous);
-        previous           = now;
-        force_previous     = f;
-        now                = f > 0. && slope > 0. ?
-                               std::min(now + (force_wanted - f) / slope, 2. * now) :
-                               2. * now;
+        const double next =
+          f > 0. && slope > 0. ?
+            std::min(now + (force_wanted - f) / slope, 2. * now) :
+            2. * now;
+        previous       = now;
+        force_previous = f;
+        now            = next;
       }
     return std::numeric_limits<double>::quiet_NaN();
   }

@@ -25,16 +25,17 @@ namespace example
     double height;
   };
 
+  /** A disc above its lowest point. */
   class Cylinder : public asperity::RigidObstacle
   {
   public:
-    Cylinder(const dealii::Point<2> &center, const double radius);
+    Cylinder(const dealii::Point<2> &lowest_point, const double radius);
 
     asperity::GapPoint
     gap(const dealii::Point<2> &x, double &hint) const override;
 
   private:
-    dealii::Point<2> center;
+    dealii::Point<2> lowest_point;
     double           radius;
   };
 
@@ -44,7 +45,7 @@ namespace example
                 const double                         period,
                 const unsigned int                   n_spans);
 
-  /** Rows from 0 to height, the top one about `top`, growing downwards. */
+  /** Rows from -height to 0, the top one about `top`, growing downwards. */
   std::vector<double>
   graded_rows(const double height, const double top, const double growth);
 
@@ -65,7 +66,8 @@ namespace example
                    std::shared_ptr<const asperity::MaterialLaw>   law,
                    std::shared_ptr<const asperity::RigidObstacle> obstacle,
                    const asperity::ContactOptions                &options,
-                   const Support support = Support::clamped_bottom);
+                   const Support support = Support::clamped_bottom,
+                   const asperity::PatchGeometry &geometry = {});
 
     /** Moves the obstacle to the offset (x, y) and finds the balance. */
     asperity::ConvergenceReport
@@ -79,6 +81,11 @@ namespace example
      */
     double
     press(const double force, const double depth);
+
+    /** Moves the obstacle down from one depth to another, in as many steps as
+     *  it takes. */
+    bool
+    move(const double from, const double to);
 
     /** Vertical force of the body on the obstacle [N/m]. */
     double

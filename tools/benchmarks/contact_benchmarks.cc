@@ -138,6 +138,14 @@ namespace
               discretization.resolution     = resolution;
               const unsigned int steps      = 16;
               const Ironing      result     = ironing(discretization, steps);
+              if (!result.converged)
+                {
+                  std::cerr << "Ironing, " << name(formulation) << ", degree "
+                            << degree << ", " << resolution / 2.
+                            << " elements, penalty " << c
+                            << " E/h: Newton's method did not converge.\n";
+                  continue;
+                }
               table << name(formulation) << ',' << degree << ','
                     << resolution / 2. << ',' << c << ','
                     << result.vertical_force << ',' << result.vertical_ripple
