@@ -47,9 +47,6 @@ class RunError(Exception):
     """Something is missing from the output; the message is for the user."""
 
 
-# ---------------------------------------------------------------- reading
-
-
 class Vtu:
     """Points, cells and point data of a VTU file with zlib-compressed arrays."""
 
@@ -146,9 +143,6 @@ def read_summary(directory):
         raise RunError(f"{directory}/summary.json is not JSON: {error}")
 
 
-# ---------------------------------------------------------------- topography
-
-
 def mean_at_points(points, values):
     """The mean over the elements that meet at a point; each brings its own
     value, and the picture shall be continuous."""
@@ -226,6 +220,7 @@ def draw_scene(axes, scene, box, norm, arrow_length, with_key):
     axes.set(xlim=(left, right), ylim=(low, high), xlabel="x [µm]",
              ylabel="y [µm]")
     axes.set_aspect("equal")
+    label_bodies(axes)
     return image
 
 
@@ -233,21 +228,21 @@ def draw_arrows(axes, scene, box, arrow_length, with_key):
     """The traction of the tool on the chip, and the key of its length."""
     left, right = box[:2]
     points, tractions = scene.arrows(right - left)
-    largest = np.linalg.norm(tractions, axis=1).max(initial=0.)
+    size = np.linalg.norm(tractions, axis=1)
+    largest = size.max(initial=0.)
     if largest == 0.:
         return
-    visible = np.linalg.norm(tractions, axis=1) > 0.02 * largest
+    visible = size > 0.02 * largest
     for shift in scene.copies(scene.line, left, right):
         arrows = axes.quiver(points[visible, 0] + shift, points[visible, 1],
                              *tractions[visible].T, pivot="tip", angles="xy",
                              scale_units="xy", scale=largest / arrow_length,
                              width=0.002, headwidth=3.5, headlength=4.5,
                              color=ARROW_COLOUR, zorder=4)
-    if not with_key:
-        return
-    axes.quiverkey(arrows, 0.87, 0.92, largest, f"{largest:.2g} GPa",
-                   labelpos="W", coordinates="axes", color=ARROW_COLOUR,
-                   labelcolor=ARROW_COLOUR, zorder=5)
+    if with_key:
+        axes.quiverkey(arrows, 0.87, 0.92, largest, f"{largest:.2g} GPa",
+                       labelpos="W", color=ARROW_COLOUR,
+                       labelcolor=ARROW_COLOUR)
 
 
 def label_bodies(axes):
@@ -301,8 +296,6 @@ def plot_topography(directory, step, target):
     image = draw_scene(panels[0], scene, zoom, norm,
                        0.11 * (zoom[1] - zoom[0]), True)
     draw_scene(panels[1], scene, whole, norm, 0.07 * L, False)
-    label_bodies(panels[0])
-    label_bodies(panels[1])
     panels[1].add_patch(plt.Rectangle((zoom[0], zoom[2]), zoom[1] - zoom[0],
                                       zoom[3] - zoom[2], fill=False, ls="--",
                                       lw=0.8, zorder=6))
@@ -320,17 +313,11 @@ def plot_topography(directory, step, target):
     plt.close(figure)
 
 
-# ---------------------------------------------------------------- friction
-
-
-def window_of(table, summary):
+def window_of(summary):
     """(time window, mean, spread) of the average that the run reports, or None
     for each that it does not."""
     friction = summary.get("friction", {})
-    window = friction.get("window")
-    if not (isinstance(window, list) and len(window) == 2):
-        window = None
-    return window, friction.get("mu"), friction.get("spread")
+    return (friction.get("window"), friction.get("mu"), friction.get("spread"))
 
 
 def draw_history(panels, x, window, table, mean, spread):
@@ -344,13 +331,11 @@ def draw_history(panels, x, window, table, mean, spread):
         axes.grid(alpha=0.3)
         axes.set_xlim(0., x.max() if x.max() > 0. else 1.)
     if window is not None and mean is not None:
-        label = f"mean {mean:.4f}"
-        if spread is not None:
-            label += f" ± {spread:.4f} (spread over time)"
-            panels[0].fill_between(window, mean - spread, mean + spread,
-                                   color="#c8553d", alpha=0.3, lw=0.)
+        spread = spread or 0.
+        panels[0].fill_between(window, mean - spread, mean + spread,
+                               color="#c8553d", alpha=0.3, lw=0.)
         panels[0].plot(window, [mean, mean], color="#c8553d", lw=1.6,
-                       label=label)
+                       label=f"mean {mean:.4f} ± {spread:.4f} (over time)")
         panels[0].legend(loc="best", fontsize=9)
 
 
@@ -365,7 +350,7 @@ def limit_of_mu(table, window, mean):
 
 def plot_friction(directory, target):
     table, summary = read_friction(directory), read_summary(directory)
-    window, mean, spread = window_of(table, summary)
+    window, mean, spread = window_of(summary)
     figure, panels = plt.subplots(2, 1, figsize=(8., 6.), sharex=True,
                                   constrained_layout=True,
                                   height_ratios=(3, 2))

@@ -1,0 +1,125 @@
+#include <asperity/contact_zone/audit.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scene_examples.h"
+
+using namespace asperity;
+
+// The numbers of the audit against their definitions.
+
+namespace
+{
+  double
+  number(const SceneAudit &audit, const std::string &name)
+  {
+    for (const AuditEntry &entry : audit.entries)
+      if (entry.name == name)
+        return entry.value;
+    ADD_FAILURE() << "no entry " << name;
+    return 0.;
+  }
+
+  bool
+  warns(const SceneAudit &audit, const std::string &words)
+  {
+    for (const std::string &warning : audit.warnings)
+      if (warning.find(words) != std::string::npos)
+        return true;
+    return false;
+  }
+} // namespace
+
+TEST(SceneAudit, numbers_follow_their_definitions)
+{
+  const SceneParameters parameters = coarse_scene();
+  const Scene           scene(parameters);
+  const SceneAudit      audit = audit_scene(parameters, scene);
+  const double E = scene.law->young_modulus(), nu = scene.law->poisson_ratio(),
+               rho = scene.law->density();
+  // There and back through 5 um within the ramp of 50 ns.
+  const double wave_speed =
+    std::sqrt(E * (1. - nu) / ((1. + nu) * (1. - 2. * nu)) / rho);
+  EXPECT_NEAR(number(audit, "wave transits of the chip during the load ramp"),
+              5e-8 * wave_speed / 10e-6,
+              1e-9);
+  const double v = 200. / 60.;
+  EXPECT_NEAR(number(audit, "rho v^2 over the pressure"),
+              rho * v * v / 300e6,
+              1e-12);
+  EXPECT_NEAR(number(audit, "sliding distance over the period"),
+              v * 2.5e-7 / 10e-6,
+              1e-12);
+  EXPECT_NEAR(number(audit, "largest slope of the tool"), 0.75, 0.005);
+  EXPECT_NEAR(number(audit, "chip height over peak-to-valley height"),
+              5. / 0.682,
+              0.01);
+  EXPECT_NEAR(number(audit, "elements across the steepest asperity"),
+              0.682 / 0.75 / 0.25,
+              0.05);
+  EXPECT_EQ(audit.inertia, Inertia::quasi_static);
+}
+
+TEST(SceneAudit, a_ramp_shorter_than_ten_transits_needs_inertia)
+{
+  SceneParameters parameters   = coarse_scene();
+  parameters.protocol.end_time = 5e-8;
+  const Scene      scene(parameters);
+  const SceneAudit audit = audit_scene(parameters, scene);
+  EXPECT_LT(number(audit, "wave transits of the chip during the load ramp"),
+            10.);
+  EXPECT_EQ(audit.inertia, Inertia::dynamic);
+}
+
+TEST(SceneAudit, steady_window_slides_as_far_as_it_may)
+{
+  SceneParameters parameters           = coarse_scene();
+  parameters.protocol.window           = FrictionWindow::steady;
+  parameters.protocol.maximum_distance = 12e-6;
+  const Scene scene(parameters);
+  EXPECT_NEAR(number(audit_scene(parameters, scene),
+                     "sliding distance over the period"),
+              1.2,
+              1e-9);
+}
+
+TEST(SceneAudit, warns_of_what_spoils_the_result)
+{
+  SceneParameters parameters = coarse_scene();
+  parameters.mesh.spans      = 80;
+  const Scene good(parameters);
+  EXPECT_TRUE(audit_scene(parameters, good).warnings.empty());
+
+  parameters.geometry.height        = 1.5e-6;
+  parameters.mesh.spans             = 24;
+  parameters.contact.penalty_factor = 1e-3;
+  for (double &a : parameters.tool.amplitudes)
+    a *= 3.;
+  const Scene      poor(parameters);
+  const SceneAudit audit = audit_scene(parameters, poor);
+  for (const std::string words : {"steeper than 1.5",
+                                  "penalty is soft",
+                                  "bottom feels the asperities",
+                                  "does not resolve the tool"})
+    EXPECT_TRUE(warns(audit, words)) << words;
+}
+
+TEST(SceneAudit, passes_on_what_the_reader_of_a_surface_complains_of)
+{
+  SceneParameters parameters = coarse_scene();
+  parameters.tool.kind       = SurfaceKind::measured;
+  auto &topography           = parameters.tool.topography;
+  topography.file =
+    ASPERITY_SOURCE_DIR "/parameter_files/surfaces/polished_tool.x3p";
+  topography.length = 20e-6;
+  topography.start  = 3e-6;
+  Scene      scene(parameters);
+  auto      &report = *scene.tool_surface.topography;
+  const auto before = audit_scene(parameters, scene).warnings.size();
+  report.sanity.warnings.push_back("The unit is a guess.");
+  const SceneAudit audit = audit_scene(parameters, scene);
+  EXPECT_EQ(audit.warnings.size(), before + 1);
+  EXPECT_TRUE(warns(audit, "Tool surface: The unit is a guess."));
+}
