@@ -172,8 +172,7 @@ class Scene:
         line = part_at(directory, "contact", self.step)
         self.line = line.points * UM
         self.traction = line.field("traction [Pa]") * 1e-9
-        # The tool is drawn for one period.
-        self.period = np.ptp(self.tool[:, 0])
+        self.period = np.ptp(self.tool[:, 0])  # the tool is drawn once
 
     def copies(self, points, left, right):
         """Shifts by whole periods with which points cover [left, right]."""
@@ -322,8 +321,8 @@ def window_of(summary):
 
 def draw_history(panels, x, window, table, mean, spread):
     """mu and contact fraction over x; the window and its mean."""
-    fraction = 100. * table["contact fraction"]
-    for axes, values in ((panels[0], table["mu"]), (panels[1], fraction)):
+    for axes, values in zip(panels, (table["mu"],
+                                     100. * table["contact fraction"])):
         if window is not None:
             axes.axvspan(*window, color=WINDOW_COLOUR, alpha=0.25, lw=0.,
                          label="averaging window")
@@ -352,8 +351,7 @@ def plot_friction(directory, target):
     table, summary = read_friction(directory), read_summary(directory)
     window, mean, spread = window_of(summary)
     figure, panels = plt.subplots(2, 1, figsize=(8., 6.), sharex=True,
-                                  constrained_layout=True,
-                                  height_ratios=(3, 2))
+                                  constrained_layout=True, height_ratios=(3, 2))
     time, distance = table["time"] * 1e6, table["sliding distance"] * UM
     draw_history(panels, time,
                  np.array(window) * 1e6 if window is not None else None,
