@@ -13,7 +13,8 @@ namespace
   protected:
     HalfPlaneContact()
     {
-      discretization.formulation = GetParam();
+      discretization.formulation    = GetParam();
+      discretization.penalty_factor = 10.;
     }
 
     example::Discretization discretization;
@@ -41,7 +42,7 @@ namespace
                                       [&](const double x) {
                                         return example::hertz_pressure(body, x);
                                       }),
-              GetParam() == ContactFormulation::mortar ? 0.03 : 0.08);
+              0.03);
     EXPECT_LT(std::abs(state.force[0]), 1e-6 * body.force);
   }
 
@@ -52,7 +53,7 @@ namespace
     for (const double a : {0.1, 0.2, 0.25, 0.3})
       {
         ASSERT_TRUE(wave.press(a)) << wave.problem->last.reason;
-        EXPECT_NEAR(wave.half_width(), a, 1. / 128.) << a;
+        EXPECT_NEAR(wave.half_width(), a, 0.01 * a) << a;
         // <sin^2> = sin^2(pi a)/4: the half-width without the grid.
         const double s2 =
           example::pressure_mean(*wave.problem, [](const double x) {
@@ -66,7 +67,7 @@ namespace
                                           [&](const double x) {
                                             return wave.exact_pressure(a, x);
                                           }),
-                  GetParam() == ContactFormulation::mortar ? 0.04 : 0.12)
+                  0.04)
           << a;
       }
   }

@@ -57,7 +57,7 @@ def draw_penalty(folder):
 def draw_ironing(folder):
     curves = read(f"{folder}/contact_ironing_curves.csv")
     rows = read(f"{folder}/contact_ironing.csv")
-    figure, axes = plt.subplots(1, 3, figsize=(13, 4))
+    figure, axes = plt.subplots(1, 3, figsize=(13, 4.6))
     for key, (name, color) in FORMULATIONS.items():
         for degree, line in (("1", ":"), ("2", "--"), ("3", "-")):
             which = {"formulation": key, "degree": degree}
@@ -81,7 +81,8 @@ def draw_ironing(folder):
     for axis in axes[:2]:
         axis.set_xlabel("sliding distance over element length")
     for axis in (axes[0], axes[2]):
-        axis.legend(fontsize=8)
+        axis.legend(fontsize=8, ncol=2, loc="upper center",
+                    bbox_to_anchor=(0.5, 1.28))
     figure.tight_layout()
     figure.savefig(f"{folder}/contact_ironing.png", dpi=110)
 
