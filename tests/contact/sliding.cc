@@ -89,8 +89,8 @@ namespace
     EXPECT_LT(ripple(GetParam(), 2, 32.), coarse / 3.);
   }
 
-  // The ripple of the mortar form is that of functions which enter and leave
-  // contact one by one, and hardly depends on the order.
+  // The ripple of the mortar form hardly depends on the order: presumably it is
+  // that of functions which enter and leave contact one by one.
   TEST(Ironing, RippleOfTheGaussPointFormFallsAsTheOrderRises)
   {
     const auto   formulation = ContactFormulation::gauss_point;
