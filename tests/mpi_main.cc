@@ -1,6 +1,6 @@
-#include <deal.II/base/mpi.h>
-
 #include <asperity/base/environment.h>
+
+#include <deal.II/base/mpi.h>
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include <asperity/base/environment.h>
 
-#include <cstdlib>
-
 #include <dlfcn.h>
+
+#include <cstdlib>
 
 namespace asperity
 {
@@ -10,8 +10,8 @@ namespace asperity
   use_one_thread_per_rank()
   {
     // Both libraries read their variables when they are loaded, which is before
-    // main(): so the variables help child processes, and the functions this one.
-    // They are looked up by name since BLAS need not be OpenBLAS.
+    // main(): so the variables help child processes, and the functions this
+    // one. They are looked up by name since BLAS need not be OpenBLAS.
     const auto limit = [](const char *variable, const char *function) {
       if (std::getenv(variable) != nullptr)
         return;

@@ -19,7 +19,8 @@ namespace asperity
       std::vector<ParameterLine> lines;
 
       /** @p includer is "file, line n" or empty for the first file. */
-      void read_file(const std::string &file_name, const std::string &includer)
+      void
+      read_file(const std::string &file_name, const std::string &includer)
       {
         const std::string prefix = includer.empty() ? "" : includer + ": ";
         if (fs::is_directory(file_name))
@@ -39,26 +40,27 @@ namespace asperity
         open_files.pop_back();
       }
 
-      void read_stream(std::istream &input, const std::string &name)
+      void
+      read_stream(std::istream &input, const std::string &name)
       {
-        File file{name, 0, 0, {}, {}};
+        File        file{name, 0, 0, {}, {}};
         std::string line, joined;
         while (std::getline(input, line))
-        {
-          ++file.line;
-          if (joined.empty())
-            file.first_line = file.line;
-          line               = trim(line.substr(0, line.find('#')));
-          const bool goes_on = !line.empty() && line.back() == '\\';
-          if (goes_on)
-            line.pop_back();
-          joined += line;
-          if (goes_on)
-            continue;
-          if (!trim(joined).empty())
-            interpret(trim(joined), file);
-          joined.clear();
-        }
+          {
+            ++file.line;
+            if (joined.empty())
+              file.first_line = file.line;
+            line               = trim(line.substr(0, line.find('#')));
+            const bool goes_on = !line.empty() && line.back() == '\\';
+            if (goes_on)
+              line.pop_back();
+            joined += line;
+            if (goes_on)
+              continue;
+            if (!trim(joined).empty())
+              interpret(trim(joined), file);
+            joined.clear();
+          }
         if (!trim(joined).empty())
           throw InputError(file.origin() + ": The last line ends with a '\\'.");
         if (!file.subsections.empty())
@@ -69,37 +71,39 @@ namespace asperity
     private:
       struct File
       {
-        std::string name;
-        unsigned int line;
-        unsigned int first_line; // of a continued line
-        std::vector<std::string> subsections;
+        std::string                         name;
+        unsigned int                        line;
+        unsigned int                        first_line; // of a continued line
+        std::vector<std::string>            subsections;
         std::map<std::string, unsigned int> line_of_path;
 
-        std::string origin() const
+        std::string
+        origin() const
         {
           return name + ", line " + std::to_string(first_line);
         }
       };
 
-      void interpret(const std::string &line, File &file)
+      void
+      interpret(const std::string &line, File &file)
       {
         const std::size_t blank = line.find_first_of(" \t");
         const std::string word  = line.substr(0, blank);
         const std::string rest =
           blank == std::string::npos ? "" : trim(line.substr(blank));
         if (word == "subsection" || word == "SUBSECTION")
-        {
-          if (rest.empty())
-            throw InputError(file.origin() + ": The subsection has no name.");
-          file.subsections.push_back(rest);
-        }
+          {
+            if (rest.empty())
+              throw InputError(file.origin() + ": The subsection has no name.");
+            file.subsections.push_back(rest);
+          }
         else if ((word == "end" || word == "END") && rest.empty())
-        {
-          if (file.subsections.empty())
-            throw InputError(file.origin() +
-                             ": This 'end' closes no subsection.");
-          file.subsections.pop_back();
-        }
+          {
+            if (file.subsections.empty())
+              throw InputError(file.origin() +
+                               ": This 'end' closes no subsection.");
+            file.subsections.pop_back();
+          }
         else if (word == "set" || word == "SET")
           set(rest, file);
         else if (word == "include" || word == "INCLUDE")
@@ -111,7 +115,8 @@ namespace asperity
                            "comment after '#'.");
       }
 
-      void set(const std::string &assignment, File &file)
+      void
+      set(const std::string &assignment, File &file)
       {
         const std::size_t equals = assignment.find('=');
         if (equals == std::string::npos)
@@ -132,7 +137,8 @@ namespace asperity
         lines.push_back(line);
       }
 
-      void include(const std::string &included, File &file)
+      void
+      include(const std::string &included, File &file)
       {
         if (!file.subsections.empty())
           throw InputError(file.origin() +
@@ -148,25 +154,28 @@ namespace asperity
     };
   } // namespace
 
-  std::string ParameterLine::path() const
+  std::string
+  ParameterLine::path() const
   {
     return join(subsections, "/") + (subsections.empty() ? "" : "/") + key;
   }
 
-  std::string ParameterLine::origin() const
+  std::string
+  ParameterLine::origin() const
   {
     return file + ", line " + std::to_string(line);
   }
 
-  std::vector<ParameterLine> read_parameter_lines(const std::string &file_name)
+  std::vector<ParameterLine>
+  read_parameter_lines(const std::string &file_name)
   {
     Reader reader;
     reader.read_file(file_name, "");
     return reader.lines;
   }
 
-  std::vector<ParameterLine> read_parameter_lines(std::istream &input,
-                                                  const std::string &name)
+  std::vector<ParameterLine>
+  read_parameter_lines(std::istream &input, const std::string &name)
   {
     Reader reader;
     reader.read_stream(input, name);

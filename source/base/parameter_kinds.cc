@@ -14,11 +14,12 @@ namespace asperity
   {
     const std::string automatic = "automatic";
 
-    ParameterEntry new_entry(const std::string &key,
-                             const std::string &kind,
-                             const std::string &range,
-                             const std::string &sentence,
-                             const Need need)
+    ParameterEntry
+    new_entry(const std::string &key,
+              const std::string &kind,
+              const std::string &range,
+              const std::string &sentence,
+              const Need         need)
     {
       ParameterEntry entry;
       entry.key      = key;
@@ -29,10 +30,11 @@ namespace asperity
       return entry;
     }
 
-    double in_range(const double value,
-                    const std::string &text,
-                    const Range &range,
-                    const std::string &unit)
+    double
+    in_range(const double       value,
+             const std::string &text,
+             const Range       &range,
+             const std::string &unit)
     {
       if (!range.contains(value))
         throw InputError("'" + text + "' is out of range; " +
@@ -40,9 +42,10 @@ namespace asperity
       return value;
     }
 
-    double parse_in_range(const std::string &text,
-                          const Range &range,
-                          const std::string &unit)
+    double
+    parse_in_range(const std::string &text,
+                   const Range       &range,
+                   const std::string &unit)
     {
       return in_range(parse_quantity(text, dimension_of(unit)),
                       text,
@@ -50,19 +53,20 @@ namespace asperity
                       unit);
     }
 
-    unsigned int parse_integer(const std::string &text, const Range &range)
+    unsigned int
+    parse_integer(const std::string &text, const Range &range)
     {
       const std::string expected =
         range.description() == "any" ? "" : ", " + range.description();
       double value = 0;
       try
-      {
-        value = parse_number(text);
-      }
+        {
+          value = parse_number(text);
+        }
       catch (const InputError &)
-      {
-        value = 0.5; // falls through to the one message of this function
-      }
+        {
+          value = 0.5; // falls through to the one message of this function
+        }
       if (value != std::floor(value) || std::abs(value) > 4294967295.)
         throw InputError("'" + text +
                          "' is not a whole number; a whole number" + expected +
@@ -74,101 +78,111 @@ namespace asperity
       return static_cast<unsigned int>(value);
     }
 
-    std::string kind_of(const std::string &unit)
+    std::string
+    kind_of(const std::string &unit)
     {
       const Dimension dimension = dimension_of(unit);
       return dimension == Dimension::none ? "number" : to_string(dimension);
     }
 
     /** Items without a unit take that of the last item. */
-    std::vector<double> parse_list(const std::string &text,
-                                   const Range &range,
-                                   const std::string &unit)
+    std::vector<double>
+    parse_list(const std::string &text,
+               const Range       &range,
+               const std::string &unit)
     {
-      std::vector<double> values;
+      std::vector<double>            values;
       const std::vector<std::string> items = split(text, ',');
       if (items.empty())
         return values;
       const std::size_t begin_of_unit =
         items.back().find_first_not_of("+-.0123456789eE");
-      const std::string shared_unit = begin_of_unit == std::string::npos
-        ? ""
-        : items.back().substr(begin_of_unit);
+      const std::string shared_unit = begin_of_unit == std::string::npos ?
+                                        "" :
+                                        items.back().substr(begin_of_unit);
       for (const std::string &item : items)
-      {
-        const bool has_unit =
-          item.find_first_not_of("+-.0123456789eE") != std::string::npos;
-        values.push_back(parse_in_range(
-          has_unit ? item : item + " " + shared_unit, range, unit));
-      }
+        {
+          const bool has_unit =
+            item.find_first_not_of("+-.0123456789eE") != std::string::npos;
+          values.push_back(parse_in_range(
+            has_unit ? item : item + " " + shared_unit, range, unit));
+        }
       return values;
     }
 
     /** The text with `automatic` for no value. */
     template <typename Number, typename Parse>
-    std::function<void(const std::string &)> or_automatic(
-      std::optional<Number> &variable, const Parse &parse)
+    std::function<void(const std::string &)>
+    or_automatic(std::optional<Number> &variable, const Parse &parse)
     {
       return [&variable, parse](const std::string &text) {
         if (trim(text) == automatic)
           variable.reset();
         else
           try
-          {
-            variable = parse(text);
-          }
+            {
+              variable = parse(text);
+            }
           catch (const InputError &error)
-          {
-            throw InputError(error.what() + std::string(", or the word '") +
-                             automatic + "'");
-          }
+            {
+              throw InputError(error.what() + std::string(", or the word '") +
+                               automatic + "'");
+            }
       };
     }
   } // namespace
 
-  Range Range::any()
+  Range
+  Range::any()
   {
     return {};
   }
 
-  Range Range::positive()
+  Range
+  Range::positive()
   {
     return above(0.);
   }
 
-  Range Range::non_negative()
+  Range
+  Range::non_negative()
   {
     return at_least(0.);
   }
 
-  Range Range::at_least(const double minimum)
+  Range
+  Range::at_least(const double minimum)
   {
     Range range;
     range.minimum = minimum;
     return range;
   }
 
-  Range Range::above(const double minimum)
+  Range
+  Range::above(const double minimum)
   {
     Range range           = at_least(minimum);
     range.minimum_allowed = false;
     return range;
   }
 
-  Range Range::between(const double minimum, const double maximum)
+  Range
+  Range::between(const double minimum, const double maximum)
   {
     Range range   = at_least(minimum);
     range.maximum = maximum;
     return range;
   }
 
-  bool Range::contains(const double value) const
+  bool
+  Range::contains(const double value) const
   {
     return (minimum_allowed ? value >= minimum : value > minimum) &&
-      (maximum_allowed ? value <= maximum : value < maximum);
+           (maximum_allowed ? value <= maximum : value < maximum);
   }
 
-  std::string Range::description(const std::string &unit) const
+  std::string
+  Range::description(const std::string &unit) const
   {
     const auto print = [&unit](const double value) {
       return format_quantity(value, unit, 6);
@@ -188,12 +202,13 @@ namespace asperity
     return from + " and " + to;
   }
 
-  void ParameterDeclarator::quantity(const std::string &key,
-                                     double &variable,
-                                     const std::string &unit,
-                                     const Range &range,
-                                     const std::string &sentence,
-                                     const Need need)
+  void
+  ParameterDeclarator::quantity(const std::string &key,
+                                double            &variable,
+                                const std::string &unit,
+                                const Range       &range,
+                                const std::string &sentence,
+                                const Need         need)
   {
     ParameterEntry entry =
       new_entry(key, kind_of(unit), range.description(unit), sentence, need);
@@ -204,11 +219,12 @@ namespace asperity
             need == Need::mandatory ? "" : format_quantity(variable, unit));
   }
 
-  void ParameterDeclarator::quantity(const std::string &key,
-                                     std::optional<double> &variable,
-                                     const std::string &unit,
-                                     const Range &range,
-                                     const std::string &sentence)
+  void
+  ParameterDeclarator::quantity(const std::string     &key,
+                                std::optional<double> &variable,
+                                const std::string     &unit,
+                                const Range           &range,
+                                const std::string     &sentence)
   {
     ParameterEntry entry = new_entry(key,
                                      kind_of(unit) + " or " + automatic,
@@ -222,28 +238,31 @@ namespace asperity
             variable ? format_quantity(*variable, unit) : automatic);
   }
 
-  void ParameterDeclarator::number(const std::string &key,
-                                   double &variable,
-                                   const Range &range,
-                                   const std::string &sentence,
-                                   const Need need)
+  void
+  ParameterDeclarator::number(const std::string &key,
+                              double            &variable,
+                              const Range       &range,
+                              const std::string &sentence,
+                              const Need         need)
   {
     quantity(key, variable, "1", range, sentence, need);
   }
 
-  void ParameterDeclarator::number(const std::string &key,
-                                   std::optional<double> &variable,
-                                   const Range &range,
-                                   const std::string &sentence)
+  void
+  ParameterDeclarator::number(const std::string     &key,
+                              std::optional<double> &variable,
+                              const Range           &range,
+                              const std::string     &sentence)
   {
     quantity(key, variable, "1", range, sentence);
   }
 
-  void ParameterDeclarator::integer(const std::string &key,
-                                    unsigned int &variable,
-                                    const Range &range,
-                                    const std::string &sentence,
-                                    const Need need)
+  void
+  ParameterDeclarator::integer(const std::string &key,
+                               unsigned int      &variable,
+                               const Range       &range,
+                               const std::string &sentence,
+                               const Need         need)
   {
     ParameterEntry entry =
       new_entry(key, "whole number", range.description(), sentence, need);
@@ -253,10 +272,11 @@ namespace asperity
     declare(std::move(entry), std::to_string(variable));
   }
 
-  void ParameterDeclarator::integer(const std::string &key,
-                                    std::optional<unsigned int> &variable,
-                                    const Range &range,
-                                    const std::string &sentence)
+  void
+  ParameterDeclarator::integer(const std::string           &key,
+                               std::optional<unsigned int> &variable,
+                               const Range                 &range,
+                               const std::string           &sentence)
   {
     ParameterEntry entry = new_entry(key,
                                      "whole number or " + automatic,
@@ -269,9 +289,10 @@ namespace asperity
     declare(std::move(entry), variable ? std::to_string(*variable) : automatic);
   }
 
-  void ParameterDeclarator::flag(const std::string &key,
-                                 bool &variable,
-                                 const std::string &sentence)
+  void
+  ParameterDeclarator::flag(const std::string &key,
+                            bool              &variable,
+                            const std::string &sentence)
   {
     ParameterEntry entry =
       new_entry(key, "flag", "true, false", sentence, Need::optional);
@@ -283,13 +304,14 @@ namespace asperity
     declare(std::move(entry), variable ? "true" : "false");
   }
 
-  void ParameterDeclarator::declare_choice(
-    const std::string &key,
-    const std::vector<std::string> &names,
+  void
+  ParameterDeclarator::declare_choice(
+    const std::string                      &key,
+    const std::vector<std::string>         &names,
     const std::function<void(std::size_t)> &assign,
-    const std::string &default_name,
-    const std::string &sentence,
-    const Need need)
+    const std::string                      &default_name,
+    const std::string                      &sentence,
+    const Need                              need)
   {
     ParameterEntry entry =
       new_entry(key, "choice", join(names, ", "), sentence, need);
@@ -303,10 +325,11 @@ namespace asperity
     declare(std::move(entry), default_name);
   }
 
-  void ParameterDeclarator::text(const std::string &key,
-                                 std::string &variable,
-                                 const std::string &sentence,
-                                 const Need need)
+  void
+  ParameterDeclarator::text(const std::string &key,
+                            std::string       &variable,
+                            const std::string &sentence,
+                            const Need         need)
   {
     ParameterEntry entry = new_entry(key, "text", "any", sentence, need);
     entry.assign         = [&variable, need](const std::string &text) {
@@ -317,10 +340,11 @@ namespace asperity
     declare(std::move(entry), variable);
   }
 
-  void ParameterDeclarator::file(const std::string &key,
-                                 std::string &variable,
-                                 const std::string &sentence,
-                                 const Need need)
+  void
+  ParameterDeclarator::file(const std::string &key,
+                            std::string       &variable,
+                            const std::string &sentence,
+                            const Need         need)
   {
     ParameterEntry entry =
       new_entry(key, "file", "an existing file", sentence, need);
@@ -337,11 +361,12 @@ namespace asperity
     declare(std::move(entry), variable);
   }
 
-  void ParameterDeclarator::list(const std::string &key,
-                                 std::vector<double> &variable,
-                                 const std::string &unit,
-                                 const Range &range,
-                                 const std::string &sentence)
+  void
+  ParameterDeclarator::list(const std::string   &key,
+                            std::vector<double> &variable,
+                            const std::string   &unit,
+                            const Range         &range,
+                            const std::string   &sentence)
   {
     ParameterEntry entry = new_entry(key,
                                      "list of " + kind_of(unit),

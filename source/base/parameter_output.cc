@@ -12,30 +12,31 @@ namespace asperity
   namespace
   {
     /** Lines of at most @p width characters that start with @p prefix. */
-    void write_wrapped(std::ostream &out,
-                       const std::string &text,
-                       const std::string &prefix,
-                       const std::size_t width)
+    void
+    write_wrapped(std::ostream      &out,
+                  const std::string &text,
+                  const std::string &prefix,
+                  const std::size_t  width)
     {
       std::istringstream words(text);
-      std::string word, line;
+      std::string        word, line;
       while (words >> word)
-      {
-        if (!line.empty() &&
-            prefix.size() + line.size() + 1 + word.size() > width)
         {
-          out << prefix << line << '\n';
-          line.clear();
+          if (!line.empty() &&
+              prefix.size() + line.size() + 1 + word.size() > width)
+            {
+              out << prefix << line << '\n';
+              line.clear();
+            }
+          line += (line.empty() ? "" : " ") + word;
         }
-        line += (line.empty() ? "" : " ") + word;
-      }
       if (!line.empty())
         out << prefix << line << '\n';
     }
 
     /** Subsections in the order of declaration, each once. */
-    std::vector<std::string> subsections_of(
-      const std::vector<ParameterEntry> &entries)
+    std::vector<std::string>
+    subsections_of(const std::vector<ParameterEntry> &entries)
     {
       std::vector<std::string> names;
       for (const ParameterEntry &entry : entries)
@@ -45,12 +46,14 @@ namespace asperity
       return names;
     }
 
-    std::string code(const std::string &text)
+    std::string
+    code(const std::string &text)
     {
       return text.empty() ? "(empty)" : "`" + text + "`";
     }
 
-    std::string escape_table(std::string text)
+    std::string
+    escape_table(std::string text)
     {
       for (auto at = text.find('|'); at != std::string::npos;
            at      = text.find('|', at + 2))
@@ -59,60 +62,64 @@ namespace asperity
     }
   } // namespace
 
-  void ParameterDeclarator::write_prm(std::ostream &out) const
+  void
+  ParameterDeclarator::write_prm(std::ostream &out) const
   {
     // deal.II's own listing sorts subsections and loses the range; this one
     // keeps the order of declaration and is read by both.
     for (const std::string &subsection : subsections_of(declared))
-    {
-      const std::vector<std::string> path = split(subsection, '/');
-      std::string indent;
-      for (const std::string &name : path)
       {
-        out << indent << "subsection " << name << '\n';
-        indent += "  ";
+        const std::vector<std::string> path = split(subsection, '/');
+        std::string                    indent;
+        for (const std::string &name : path)
+          {
+            out << indent << "subsection " << name << '\n';
+            indent += "  ";
+          }
+        for (const ParameterEntry &entry : declared)
+          if (entry.subsection == subsection)
+            {
+              write_wrapped(out, entry.sentence, indent + "# ", 80);
+              write_wrapped(out,
+                            "[" + entry.kind + ": " + entry.range +
+                              (entry.need == Need::mandatory ?
+                                 "; mandatory]" :
+                                 "; default: " +
+                                   (entry.default_text.empty() ?
+                                      "empty" :
+                                      entry.default_text) +
+                                   "]"),
+                            indent + "# ",
+                            80);
+              const std::string value = get(entry.path());
+              if (entry.need == Need::mandatory && !entry.given)
+                out << indent << "# set " << entry.key << " = \n";
+              else
+                out << indent << "set " << entry.key << " = " << value << '\n';
+            }
+        for (std::size_t i = path.size(); i > 0; --i)
+          out << std::string(2 * (i - 1), ' ') << "end\n";
+        out << '\n';
       }
-      for (const ParameterEntry &entry : declared)
-        if (entry.subsection == subsection)
-        {
-          write_wrapped(out, entry.sentence, indent + "# ", 80);
-          write_wrapped(
-            out,
-            "[" + entry.kind + ": " + entry.range +
-              (entry.need == Need::mandatory ? "; mandatory]"
-                                             : "; default: " +
-                   (entry.default_text.empty() ? "empty" : entry.default_text) +
-                   "]"),
-            indent + "# ",
-            80);
-          const std::string value = get(entry.path());
-          if (entry.need == Need::mandatory && !entry.given)
-            out << indent << "# set " << entry.key << " = \n";
-          else
-            out << indent << "set " << entry.key << " = " << value << '\n';
-        }
-      for (std::size_t i = path.size(); i > 0; --i)
-        out << std::string(2 * (i - 1), ' ') << "end\n";
-      out << '\n';
-    }
   }
 
-  void ParameterDeclarator::write_markdown(std::ostream &out) const
+  void
+  ParameterDeclarator::write_markdown(std::ostream &out) const
   {
     for (const std::string &subsection : subsections_of(declared))
-    {
-      out << "## " << (subsection.empty() ? "Top level" : subsection)
-          << "\n\n| entry | default | kind and range | meaning |\n"
-             "| --- | --- | --- | --- |\n";
-      for (const ParameterEntry &entry : declared)
-        if (entry.subsection == subsection)
-          out << "| " << entry.key << " | "
-              << (entry.need == Need::mandatory
-                    ? "**mandatory**"
-                    : escape_table(code(entry.default_text)))
-              << " | " << escape_table(entry.kind + ": " + entry.range) << " | "
-              << escape_table(entry.sentence) << " |\n";
-      out << '\n';
-    }
+      {
+        out << "## " << (subsection.empty() ? "Top level" : subsection)
+            << "\n\n| entry | default | kind and range | meaning |\n"
+               "| --- | --- | --- | --- |\n";
+        for (const ParameterEntry &entry : declared)
+          if (entry.subsection == subsection)
+            out << "| " << entry.key << " | "
+                << (entry.need == Need::mandatory ?
+                      "**mandatory**" :
+                      escape_table(code(entry.default_text)))
+                << " | " << escape_table(entry.kind + ": " + entry.range)
+                << " | " << escape_table(entry.sentence) << " |\n";
+        out << '\n';
+      }
   }
 } // namespace asperity

@@ -12,7 +12,8 @@
 
 namespace asperity
 {
-  std::string ParameterEntry::path() const
+  std::string
+  ParameterEntry::path() const
   {
     return subsection.empty() ? key : subsection + "/" + key;
   }
@@ -31,16 +32,17 @@ namespace asperity
     declarator.current_path.pop_back();
   }
 
-  ParameterDeclarator::Subsection ParameterDeclarator::subsection(
-    const std::string &name)
+  ParameterDeclarator::Subsection
+  ParameterDeclarator::subsection(const std::string &name)
   {
     handler.enter_subsection(name);
     current_path.push_back(name);
     return Subsection(*this);
   }
 
-  void ParameterDeclarator::declare(ParameterEntry entry,
-                                    const std::string &default_text)
+  void
+  ParameterDeclarator::declare(ParameterEntry     entry,
+                               const std::string &default_text)
   {
     entry.subsection       = join(current_path, "/");
     entry.default_text     = entry.need == Need::mandatory ? "" : default_text;
@@ -49,15 +51,15 @@ namespace asperity
       throw std::logic_error("The parameter '" + path + "' is declared twice.");
     if (entry.need == Need::optional)
       try
-      {
-        // also makes the default exactly what its text says
-        entry.assign(entry.default_text);
-      }
+        {
+          // also makes the default exactly what its text says
+          entry.assign(entry.default_text);
+        }
       catch (const InputError &error)
-      {
-        throw std::logic_error("The default of parameter '" + path +
-                               "' is wrong: " + error.what());
-      }
+        {
+          throw std::logic_error("The default of parameter '" + path +
+                                 "' is wrong: " + error.what());
+        }
     handler.declare_entry(entry.key,
                           entry.default_text,
                           dealii::Patterns::Anything(),
@@ -67,93 +69,98 @@ namespace asperity
     declared.push_back(std::move(entry));
   }
 
-  void ParameterDeclarator::read_file(const std::string &file_name)
+  void
+  ParameterDeclarator::read_file(const std::string &file_name)
   {
     apply(read_parameter_lines(file_name), file_name);
   }
 
-  void ParameterDeclarator::read_text(const std::string &text,
-                                      const std::string &name)
+  void
+  ParameterDeclarator::read_text(const std::string &text,
+                                 const std::string &name)
   {
     std::istringstream input(text);
     apply(read_parameter_lines(input, name), name);
   }
 
-  void ParameterDeclarator::apply(const std::vector<ParameterLine> &lines,
-                                  const std::string &name)
+  void
+  ParameterDeclarator::apply(const std::vector<ParameterLine> &lines,
+                             const std::string                &name)
   {
     for (const ParameterLine &line : lines)
-    {
-      ParameterEntry &entry =
-        find(line.subsections, line.key, line.origin() + ": ");
-      std::string value = line.value;
-      if (entry.is_file && !value.empty())
-        value = (std::filesystem::path(line.file).parent_path() / value)
-                  .lexically_normal()
-                  .string();
-      entry.origin = line.origin();
-      assign(entry, value);
-    }
+      {
+        ParameterEntry &entry =
+          find(line.subsections, line.key, line.origin() + ": ");
+        std::string value = line.value;
+        if (entry.is_file && !value.empty())
+          value = (std::filesystem::path(line.file).parent_path() / value)
+                    .lexically_normal()
+                    .string();
+        entry.origin = line.origin();
+        assign(entry, value);
+      }
     check_mandatory_entries(name);
   }
 
-  ParameterEntry &ParameterDeclarator::find(
-    const std::vector<std::string> &subsections,
-    const std::string &key,
-    const std::string &origin)
+  ParameterEntry &
+  ParameterDeclarator::find(const std::vector<std::string> &subsections,
+                            const std::string              &key,
+                            const std::string              &origin)
   {
     const std::string section = join(subsections, "/");
-    const auto found =
+    const auto        found =
       index_of_path.find(section.empty() ? key : section + "/" + key);
     if (found != index_of_path.end())
       return declared[found->second];
 
     // The key counts more than its subsection: an entry in the wrong place
     // and a misspelt one are both found.
-    const ParameterEntry *nearest = nullptr;
-    unsigned int nearest_distance = 0;
+    const ParameterEntry *nearest          = nullptr;
+    unsigned int          nearest_distance = 0;
     for (const ParameterEntry &entry : declared)
-    {
-      const unsigned int distance = 100 * edit_distance(entry.key, key) +
-        std::min(99u, edit_distance(entry.subsection, section));
-      if (nearest == nullptr || distance < nearest_distance)
       {
-        nearest          = &entry;
-        nearest_distance = distance;
+        const unsigned int distance =
+          100 * edit_distance(entry.key, key) +
+          std::min(99u, edit_distance(entry.subsection, section));
+        if (nearest == nullptr || distance < nearest_distance)
+          {
+            nearest          = &entry;
+            nearest_distance = distance;
+          }
       }
-    }
     const auto place = [](const std::string &name) {
-      return name.empty() ? std::string("at the top level")
-                          : "in subsection '" + name + "'";
+      return name.empty() ? std::string("at the top level") :
+                            "in subsection '" + name + "'";
     };
     std::string message =
       origin + "There is no entry '" + key + "' " + place(section) + "; ";
     if (nearest != nullptr &&
         nearest_distance / 100 <= std::max<std::size_t>(2, key.size() / 2))
       message += "did you mean '" + nearest->key + "' " +
-        place(nearest->subsection) + "?";
+                 place(nearest->subsection) + "?";
     else
       message += "'asperity parameters' lists all entries.";
     throw InputError(message);
   }
 
-  void ParameterDeclarator::assign(ParameterEntry &entry,
-                                   const std::string &text)
+  void
+  ParameterDeclarator::assign(ParameterEntry &entry, const std::string &text)
   {
     try
-    {
-      entry.assign(text);
-    }
+      {
+        entry.assign(text);
+      }
     catch (const InputError &error)
-    {
-      throw InputError((entry.origin.empty() ? "" : entry.origin + ", ") +
-                       "entry '" + entry.path() + "': " + error.what() + ".");
-    }
+      {
+        throw InputError((entry.origin.empty() ? "" : entry.origin + ", ") +
+                         "entry '" + entry.path() + "': " + error.what() + ".");
+      }
     entry.given = true;
     // A written parameter file may be read from elsewhere.
-    const std::string lasting           = entry.is_file && !text.empty()
-                ? std::filesystem::absolute(text).lexically_normal().string()
-                : text;
+    const std::string lasting =
+      entry.is_file && !text.empty() ?
+        std::filesystem::absolute(text).lexically_normal().string() :
+        text;
     const std::vector<std::string> path = split(entry.subsection, '/');
     for (const std::string &name : path)
       handler.enter_subsection(name);
@@ -162,8 +169,8 @@ namespace asperity
       handler.leave_subsection();
   }
 
-  void ParameterDeclarator::check_mandatory_entries(
-    const std::string &name) const
+  void
+  ParameterDeclarator::check_mandatory_entries(const std::string &name) const
   {
     std::vector<std::string> missing;
     for (const ParameterEntry &entry : declared)
@@ -172,14 +179,14 @@ namespace asperity
     if (!missing.empty())
       throw InputError(
         name + ": " +
-        (missing.size() == 1 ? "The mandatory entry "
-                             : "The mandatory entries ") +
+        (missing.size() == 1 ? "The mandatory entry " :
+                               "The mandatory entries ") +
         join(missing, ", ") +
         (missing.size() == 1 ? " is missing." : " are missing."));
   }
 
-  const ParameterEntry &ParameterDeclarator::entry_at(
-    const std::string &path) const
+  const ParameterEntry &
+  ParameterDeclarator::entry_at(const std::string &path) const
   {
     const auto found = index_of_path.find(path);
     if (found == index_of_path.end())
@@ -187,8 +194,8 @@ namespace asperity
     return declared[found->second];
   }
 
-  void ParameterDeclarator::set(const std::string &path,
-                                const std::string &text)
+  void
+  ParameterDeclarator::set(const std::string &path, const std::string &text)
   {
     std::vector<std::string> names = split(path, '/');
     if (names.empty())
@@ -200,20 +207,23 @@ namespace asperity
     assign(entry, text);
   }
 
-  std::string ParameterDeclarator::get(const std::string &path) const
+  std::string
+  ParameterDeclarator::get(const std::string &path) const
   {
     const ParameterEntry &entry = entry_at(path);
     return handler.get(split(entry.subsection, '/'), entry.key);
   }
 
-  std::string ParameterDeclarator::where(const std::string &path) const
+  std::string
+  ParameterDeclarator::where(const std::string &path) const
   {
     const ParameterEntry &entry = entry_at(path);
     return (entry.origin.empty() ? "" : entry.origin + ", ") + "entry '" +
-      path + "'";
+           path + "'";
   }
 
-  const std::vector<ParameterEntry> &ParameterDeclarator::entries() const
+  const std::vector<ParameterEntry> &
+  ParameterDeclarator::entries() const
   {
     return declared;
   }

@@ -17,100 +17,104 @@ namespace asperity
     struct Unit
     {
       const char *name;
-      Dimension dimension;
-      double numerator;
-      double denominator;
-      double offset;
+      Dimension   dimension;
+      double      numerator;
+      double      denominator;
+      double      offset;
 
-      double to_si(const double value) const
+      double
+      to_si(const double value) const
       {
         return value * numerator / denominator + offset;
       }
 
-      double from_si(const double value) const
+      double
+      from_si(const double value) const
       {
         return (value - offset) * denominator / numerator;
       }
     };
 
     /** The SI unit of each dimension first. */
-    const std::vector<Unit> &units()
+    const std::vector<Unit> &
+    units()
     {
-      using D                              = Dimension;
-      constexpr double pi                  = 3.14159265358979323846;
-      constexpr double zero_C              = 273.15;
-      static const std::vector<Unit> table = {
-        {"1", D::none, 1, 1, 0},
-        {"%", D::none, 1, 100, 0},
-        {"m", D::length, 1, 1, 0},
-        {"cm", D::length, 1, 1e2, 0},
-        {"mm", D::length, 1, 1e3, 0},
-        {"um", D::length, 1, 1e6, 0},
-        {"nm", D::length, 1, 1e9, 0},
-        {"m2", D::area, 1, 1, 0},
-        {"mm2", D::area, 1, 1e6, 0},
-        {"um2", D::area, 1, 1e12, 0},
-        {"s", D::time, 1, 1, 0},
-        {"ms", D::time, 1, 1e3, 0},
-        {"us", D::time, 1, 1e6, 0},
-        {"ns", D::time, 1, 1e9, 0},
-        {"min", D::time, 60, 1, 0},
-        {"h", D::time, 3600, 1, 0},
-        {"1/s", D::rate, 1, 1, 0},
-        {"1/ms", D::rate, 1e3, 1, 0},
-        {"1/us", D::rate, 1e6, 1, 0},
-        {"1/min", D::rate, 1, 60, 0},
-        {"Hz", D::rate, 1, 1, 0},
-        {"m/s", D::velocity, 1, 1, 0},
-        {"m/min", D::velocity, 1, 60, 0},
-        {"km/h", D::velocity, 10, 36, 0},
-        {"mm/s", D::velocity, 1, 1e3, 0},
-        {"mm/min", D::velocity, 1, 6e4, 0},
-        {"um/us", D::velocity, 1, 1, 0},
-        {"m/s2", D::acceleration, 1, 1, 0},
-        {"rad", D::angle, 1, 1, 0},
-        {"deg", D::angle, pi, 180, 0},
-        {"Pa", D::stress, 1, 1, 0},
-        {"kPa", D::stress, 1e3, 1, 0},
-        {"MPa", D::stress, 1e6, 1, 0},
-        {"GPa", D::stress, 1e9, 1, 0},
-        {"bar", D::stress, 1e5, 1, 0},
-        {"N/m2", D::stress, 1, 1, 0},
-        {"N/mm2", D::stress, 1e6, 1, 0},
-        {"1/Pa", D::inverse_stress, 1, 1, 0},
-        {"1/MPa", D::inverse_stress, 1, 1e6, 0},
-        {"1/GPa", D::inverse_stress, 1, 1e9, 0},
-        {"Pa/m", D::stress_per_length, 1, 1, 0},
-        {"MPa/um", D::stress_per_length, 1e12, 1, 0},
-        {"GPa/um", D::stress_per_length, 1e15, 1, 0},
-        {"N/m3", D::stress_per_length, 1, 1, 0},
-        {"N/mm3", D::stress_per_length, 1e9, 1, 0},
-        {"N/m", D::line_load, 1, 1, 0},
-        {"kN/m", D::line_load, 1e3, 1, 0},
-        {"N/mm", D::line_load, 1e3, 1, 0},
-        {"kg/m3", D::density, 1, 1, 0},
-        {"g/cm3", D::density, 1e3, 1, 0},
-        {"t/mm3", D::density, 1e12, 1, 0},
-        {"Pa s", D::viscosity, 1, 1, 0},
-        {"mPa s", D::viscosity, 1, 1e3, 0},
-        {"cP", D::viscosity, 1, 1e3, 0},
-        {"K", D::temperature, 1, 1, 0},
-        {"degC", D::temperature, 1, 1, zero_C},
-        {"degF", D::temperature, 5, 9, zero_C - 160. / 9.},
-        {"1/K", D::expansion, 1, 1, 0},
-        {"um/(m K)", D::expansion, 1, 1e6, 0},
-        {"J/(kg K)", D::specific_heat, 1, 1, 0},
-        {"kJ/(kg K)", D::specific_heat, 1e3, 1, 0},
-        {"J/(g K)", D::specific_heat, 1e3, 1, 0},
-        {"W/(m K)", D::thermal_conductivity, 1, 1, 0},
-        {"W/(m2 K)", D::heat_transfer, 1, 1, 0},
+      using D                               = Dimension;
+      constexpr double               pi     = 3.14159265358979323846;
+      constexpr double               zero_C = 273.15;
+      static const std::vector<Unit> table  = {
+         {"1", D::none, 1, 1, 0},
+         {"%", D::none, 1, 100, 0},
+         {"m", D::length, 1, 1, 0},
+         {"cm", D::length, 1, 1e2, 0},
+         {"mm", D::length, 1, 1e3, 0},
+         {"um", D::length, 1, 1e6, 0},
+         {"nm", D::length, 1, 1e9, 0},
+         {"m2", D::area, 1, 1, 0},
+         {"mm2", D::area, 1, 1e6, 0},
+         {"um2", D::area, 1, 1e12, 0},
+         {"s", D::time, 1, 1, 0},
+         {"ms", D::time, 1, 1e3, 0},
+         {"us", D::time, 1, 1e6, 0},
+         {"ns", D::time, 1, 1e9, 0},
+         {"min", D::time, 60, 1, 0},
+         {"h", D::time, 3600, 1, 0},
+         {"1/s", D::rate, 1, 1, 0},
+         {"1/ms", D::rate, 1e3, 1, 0},
+         {"1/us", D::rate, 1e6, 1, 0},
+         {"1/min", D::rate, 1, 60, 0},
+         {"Hz", D::rate, 1, 1, 0},
+         {"m/s", D::velocity, 1, 1, 0},
+         {"m/min", D::velocity, 1, 60, 0},
+         {"km/h", D::velocity, 10, 36, 0},
+         {"mm/s", D::velocity, 1, 1e3, 0},
+         {"mm/min", D::velocity, 1, 6e4, 0},
+         {"um/us", D::velocity, 1, 1, 0},
+         {"m/s2", D::acceleration, 1, 1, 0},
+         {"rad", D::angle, 1, 1, 0},
+         {"deg", D::angle, pi, 180, 0},
+         {"Pa", D::stress, 1, 1, 0},
+         {"kPa", D::stress, 1e3, 1, 0},
+         {"MPa", D::stress, 1e6, 1, 0},
+         {"GPa", D::stress, 1e9, 1, 0},
+         {"bar", D::stress, 1e5, 1, 0},
+         {"N/m2", D::stress, 1, 1, 0},
+         {"N/mm2", D::stress, 1e6, 1, 0},
+         {"1/Pa", D::inverse_stress, 1, 1, 0},
+         {"1/MPa", D::inverse_stress, 1, 1e6, 0},
+         {"1/GPa", D::inverse_stress, 1, 1e9, 0},
+         {"Pa/m", D::stress_per_length, 1, 1, 0},
+         {"MPa/um", D::stress_per_length, 1e12, 1, 0},
+         {"GPa/um", D::stress_per_length, 1e15, 1, 0},
+         {"N/m3", D::stress_per_length, 1, 1, 0},
+         {"N/mm3", D::stress_per_length, 1e9, 1, 0},
+         {"N/m", D::line_load, 1, 1, 0},
+         {"kN/m", D::line_load, 1e3, 1, 0},
+         {"N/mm", D::line_load, 1e3, 1, 0},
+         {"kg/m3", D::density, 1, 1, 0},
+         {"g/cm3", D::density, 1e3, 1, 0},
+         {"t/mm3", D::density, 1e12, 1, 0},
+         {"Pa s", D::viscosity, 1, 1, 0},
+         {"mPa s", D::viscosity, 1, 1e3, 0},
+         {"cP", D::viscosity, 1, 1e3, 0},
+         {"K", D::temperature, 1, 1, 0},
+         {"degC", D::temperature, 1, 1, zero_C},
+         {"degF", D::temperature, 5, 9, zero_C - 160. / 9.},
+         {"1/K", D::expansion, 1, 1, 0},
+         {"um/(m K)", D::expansion, 1, 1e6, 0},
+         {"J/(kg K)", D::specific_heat, 1, 1, 0},
+         {"kJ/(kg K)", D::specific_heat, 1e3, 1, 0},
+         {"J/(g K)", D::specific_heat, 1e3, 1, 0},
+         {"W/(m K)", D::thermal_conductivity, 1, 1, 0},
+         {"W/(m2 K)", D::heat_transfer, 1, 1, 0},
       };
       return table;
     }
 
-    void replace_all(std::string &text,
-                     const std::string &old_part,
-                     const std::string &new_part)
+    void
+    replace_all(std::string       &text,
+                const std::string &old_part,
+                const std::string &new_part)
     {
       for (auto at = text.find(old_part); at != std::string::npos;
            at      = text.find(old_part, at + new_part.size()))
@@ -118,7 +122,8 @@ namespace asperity
     }
 
     /** One spelling for "°C", "µm", "m/s^2", "J/(kg*K)", "J/kg/K", "Pa*s". */
-    std::string plain_spelling(std::string unit)
+    std::string
+    plain_spelling(std::string unit)
     {
       replace_all(unit, "\u00b5", "u"); // micro sign
       replace_all(unit, "\u03bc", "u"); // Greek mu
@@ -135,7 +140,8 @@ namespace asperity
       return unit;
     }
 
-    const Unit *find_unit(const std::string &name)
+    const Unit *
+    find_unit(const std::string &name)
     {
       const std::string plain = plain_spelling(name);
       for (const Unit &unit : units())
@@ -144,28 +150,31 @@ namespace asperity
       return nullptr;
     }
 
-    const Unit &known_unit(const std::string &name)
+    const Unit &
+    known_unit(const std::string &name)
     {
       if (const Unit *unit = find_unit(name))
         return *unit;
       throw InputError("'" + name + "' is not a known unit");
     }
 
-    std::string expectation(const Dimension dimension)
+    std::string
+    expectation(const Dimension dimension)
     {
       if (dimension == Dimension::none)
         return "a plain number is expected";
       return "a " + to_string(dimension) +
-        " is expected, in one of the units " +
-        join(accepted_units(dimension), ", ");
+             " is expected, in one of the units " +
+             join(accepted_units(dimension), ", ");
     }
 
     /** How many characters of the text are a number; 0 if it has none. */
-    std::size_t read_number(const std::string &text, double &value)
+    std::size_t
+    read_number(const std::string &text, double &value)
     {
       // from_chars() does not depend on the locale, but knows no plus sign
       const std::size_t begin = (!text.empty() && text[0] == '+') ? 1 : 0;
-      const auto result =
+      const auto        result =
         std::from_chars(text.data() + begin, text.data() + text.size(), value);
       if (result.ec != std::errc() || !std::isfinite(value))
         return 0;
@@ -173,53 +182,55 @@ namespace asperity
     }
   } // namespace
 
-  std::string to_string(const Dimension dimension)
+  std::string
+  to_string(const Dimension dimension)
   {
     switch (dimension)
-    {
-      case Dimension::none:
-        return "number";
-      case Dimension::length:
-        return "length";
-      case Dimension::area:
-        return "surface area";
-      case Dimension::time:
-        return "time";
-      case Dimension::rate:
-        return "rate";
-      case Dimension::velocity:
-        return "velocity";
-      case Dimension::acceleration:
-        return "linear acceleration";
-      case Dimension::angle:
-        return "plane angle";
-      case Dimension::stress:
-        return "stress";
-      case Dimension::inverse_stress:
-        return "reciprocal stress";
-      case Dimension::stress_per_length:
-        return "stress per length";
-      case Dimension::line_load:
-        return "line load";
-      case Dimension::density:
-        return "density";
-      case Dimension::viscosity:
-        return "viscosity";
-      case Dimension::temperature:
-        return "temperature";
-      case Dimension::expansion:
-        return "thermal expansion coefficient";
-      case Dimension::specific_heat:
-        return "specific heat";
-      case Dimension::thermal_conductivity:
-        return "thermal conductivity";
-      case Dimension::heat_transfer:
-        return "heat transfer coefficient";
-    }
+      {
+        case Dimension::none:
+          return "number";
+        case Dimension::length:
+          return "length";
+        case Dimension::area:
+          return "surface area";
+        case Dimension::time:
+          return "time";
+        case Dimension::rate:
+          return "rate";
+        case Dimension::velocity:
+          return "velocity";
+        case Dimension::acceleration:
+          return "linear acceleration";
+        case Dimension::angle:
+          return "plane angle";
+        case Dimension::stress:
+          return "stress";
+        case Dimension::inverse_stress:
+          return "reciprocal stress";
+        case Dimension::stress_per_length:
+          return "stress per length";
+        case Dimension::line_load:
+          return "line load";
+        case Dimension::density:
+          return "density";
+        case Dimension::viscosity:
+          return "viscosity";
+        case Dimension::temperature:
+          return "temperature";
+        case Dimension::expansion:
+          return "thermal expansion coefficient";
+        case Dimension::specific_heat:
+          return "specific heat";
+        case Dimension::thermal_conductivity:
+          return "thermal conductivity";
+        case Dimension::heat_transfer:
+          return "heat transfer coefficient";
+      }
     return "";
   }
 
-  std::vector<std::string> accepted_units(const Dimension dimension)
+  std::vector<std::string>
+  accepted_units(const Dimension dimension)
   {
     std::vector<std::string> names;
     for (const Unit &unit : units())
@@ -228,37 +239,41 @@ namespace asperity
     return names;
   }
 
-  Dimension dimension_of(const std::string &unit)
+  Dimension
+  dimension_of(const std::string &unit)
   {
     return known_unit(unit).dimension;
   }
 
-  double to_si(const double value, const std::string &unit)
+  double
+  to_si(const double value, const std::string &unit)
   {
     return known_unit(unit).to_si(value);
   }
 
-  double from_si(const double value, const std::string &unit)
+  double
+  from_si(const double value, const std::string &unit)
   {
     return known_unit(unit).from_si(value);
   }
 
-  double parse_quantity(const std::string &text, const Dimension dimension)
+  double
+  parse_quantity(const std::string &text, const Dimension dimension)
   {
     const std::string trimmed   = trim(text);
-    double value                = 0;
+    double            value     = 0;
     const std::size_t n         = read_number(trimmed, value);
     const std::string unit_name = trim(trimmed.substr(n));
     if (n == 0)
       throw InputError("'" + trimmed + "' does not start with a number; " +
                        expectation(dimension));
     if (unit_name.empty())
-    {
-      if (dimension == Dimension::none)
-        return value;
-      throw InputError("'" + trimmed + "' has no unit; " +
-                       expectation(dimension));
-    }
+      {
+        if (dimension == Dimension::none)
+          return value;
+        throw InputError("'" + trimmed + "' has no unit; " +
+                         expectation(dimension));
+      }
     const Unit *unit = find_unit(unit_name);
     if (unit == nullptr)
       throw InputError("'" + trimmed + "' has the unknown unit '" + unit_name +
@@ -272,29 +287,31 @@ namespace asperity
     return si;
   }
 
-  std::string format_quantity(const double value, const std::string &unit_name)
+  std::string
+  format_quantity(const double value, const std::string &unit_name)
   {
-    const Unit &unit    = known_unit(unit_name);
+    const Unit  &unit   = known_unit(unit_name);
     const double scaled = unit.from_si(value);
     // the offset of temperatures costs digits: look for the shortest text
     for (int digits = 6; digits <= 17; ++digits)
-    {
-      const std::string text = format_quantity(value, unit_name, digits);
-      if (parse_quantity(text, unit.dimension) == value)
-        return text;
-    }
+      {
+        const std::string text = format_quantity(value, unit_name, digits);
+        if (parse_quantity(text, unit.dimension) == value)
+          return text;
+      }
     const std::string text = format_number(scaled);
     return unit.name == std::string("1") ? text : text + " " + unit.name;
   }
 
-  std::string format_quantity(const double value,
-                              const std::string &unit_name,
-                              const unsigned int digits)
+  std::string
+  format_quantity(const double       value,
+                  const std::string &unit_name,
+                  const unsigned int digits)
   {
-    const Unit &unit    = known_unit(unit_name);
-    const double scaled = unit.from_si(value);
-    char buffer[64];
-    const auto result = std::to_chars(buffer,
+    const Unit       &unit   = known_unit(unit_name);
+    const double      scaled = unit.from_si(value);
+    char              buffer[64];
+    const auto        result = std::to_chars(buffer,
                                       buffer + sizeof(buffer),
                                       scaled == 0. ? 0. : scaled,
                                       std::chars_format::general,
@@ -303,19 +320,21 @@ namespace asperity
     return unit.name == std::string("1") ? number : number + " " + unit.name;
   }
 
-  double parse_number(const std::string &text)
+  double
+  parse_number(const std::string &text)
   {
     const std::string trimmed = trim(text);
-    double value              = 0;
+    double            value   = 0;
     const std::size_t n       = read_number(trimmed, value);
     if (n == 0 || n != trimmed.size())
       throw InputError("'" + trimmed + "' is not a plain number");
     return value;
   }
 
-  std::string format_number(const double value)
+  std::string
+  format_number(const double value)
   {
-    char buffer[64];
+    char       buffer[64];
     const auto result = std::to_chars(buffer, buffer + sizeof(buffer), value);
     return std::string(buffer, result.ptr);
   }

@@ -5,33 +5,35 @@
 
 namespace asperity
 {
-  std::string trim(const std::string &text)
+  std::string
+  trim(const std::string &text)
   {
     const char *const blanks = " \t\r\n";
-    const auto first         = text.find_first_not_of(blanks);
+    const auto        first  = text.find_first_not_of(blanks);
     if (first == std::string::npos)
       return "";
     return text.substr(first, text.find_last_not_of(blanks) - first + 1);
   }
 
-  std::vector<std::string> split(const std::string &text, const char separator)
+  std::vector<std::string>
+  split(const std::string &text, const char separator)
   {
     std::vector<std::string> parts;
     if (trim(text).empty())
       return parts;
     std::size_t begin = 0;
     while (true)
-    {
-      const std::size_t end = text.find(separator, begin);
-      parts.push_back(trim(text.substr(begin, end - begin)));
-      if (end == std::string::npos)
-        return parts;
-      begin = end + 1;
-    }
+      {
+        const std::size_t end = text.find(separator, begin);
+        parts.push_back(trim(text.substr(begin, end - begin)));
+        if (end == std::string::npos)
+          return parts;
+        begin = end + 1;
+      }
   }
 
-  std::string join(const std::vector<std::string> &parts,
-                   const std::string &separator)
+  std::string
+  join(const std::vector<std::string> &parts, const std::string &separator)
   {
     std::string result;
     for (const std::string &part : parts)
@@ -39,8 +41,8 @@ namespace asperity
     return result;
   }
 
-  unsigned int edit_distance(const std::string &first,
-                             const std::string &second)
+  unsigned int
+  edit_distance(const std::string &first, const std::string &second)
   {
     const auto lower = [](std::string text) {
       for (char &c : text)
@@ -53,19 +55,20 @@ namespace asperity
       a.size() + 1, std::vector<unsigned int>(b.size() + 1));
     for (std::size_t i = 0; i <= a.size(); ++i)
       for (std::size_t j = 0; j <= b.size(); ++j)
-      {
-        if (i == 0 || j == 0)
         {
-          distance[i][j] = static_cast<unsigned int>(i + j);
-          continue;
+          if (i == 0 || j == 0)
+            {
+              distance[i][j] = static_cast<unsigned int>(i + j);
+              continue;
+            }
+          distance[i][j] =
+            std::min({distance[i - 1][j] + 1,
+                      distance[i][j - 1] + 1,
+                      distance[i - 1][j - 1] + (a[i - 1] != b[j - 1])});
+          if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+            distance[i][j] =
+              std::min(distance[i][j], distance[i - 2][j - 2] + 1);
         }
-        distance[i][j] =
-          std::min({distance[i - 1][j] + 1,
-                    distance[i][j - 1] + 1,
-                    distance[i - 1][j - 1] + (a[i - 1] != b[j - 1])});
-        if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-          distance[i][j] = std::min(distance[i][j], distance[i - 2][j - 2] + 1);
-      }
     return distance[a.size()][b.size()];
   }
 } // namespace asperity

@@ -11,24 +11,28 @@ namespace asperity
 {
   namespace
   {
-    std::string dotted(const int major, const int minor, const int subminor)
+    std::string
+    dotted(const int major, const int minor, const int subminor)
     {
       return std::to_string(major) + "." + std::to_string(minor) + "." +
-        std::to_string(subminor);
+             std::to_string(subminor);
     }
   } // namespace
 
-  std::string version()
+  std::string
+  version()
   {
     return ASPERITY_VERSION;
   }
 
-  std::string git_revision()
+  std::string
+  git_revision()
   {
     return ASPERITY_GIT_REVISION;
   }
 
-  nlohmann::ordered_json version_json()
+  nlohmann::ordered_json
+  version_json()
   {
     nlohmann::ordered_json json;
     json["asperity"]     = version();
@@ -48,11 +52,12 @@ namespace asperity
     return json;
   }
 
-  std::string version_line()
+  std::string
+  version_line()
   {
     const nlohmann::ordered_json json = version_json();
     std::string line = "asperity " + version() + " (" + git_revision() + ", " +
-      json["build_type"].get<std::string>();
+                       json["build_type"].get<std::string>();
     for (const char *const library : {"deal.II", "Trilinos", "p4est"})
       if (json.contains(library))
         line +=

@@ -12,7 +12,7 @@ namespace asperity
   {
     struct Head
     {
-      char word[8]           = {'A', 'S', 'P', 'E', 'R', 'I', 'T', 'Y'};
+      char          word[8]  = {'A', 'S', 'P', 'E', 'R', 'I', 'T', 'Y'};
       std::uint32_t version  = Checkpoint::format_version;
       std::uint32_t order    = 0x01020304;
       std::uint64_t length   = 0;
@@ -21,18 +21,20 @@ namespace asperity
     static_assert(sizeof(Head) == 32, "the head has no padding");
 
     /** FNV-1a, 64 bit: finds damage by accident, not by intent. */
-    std::uint64_t checksum(const std::string &bytes)
+    std::uint64_t
+    checksum(const std::string &bytes)
     {
       std::uint64_t sum = 14695981039346656037ull;
       for (const char byte : bytes)
-      {
-        sum ^= static_cast<unsigned char>(byte);
-        sum *= 1099511628211ull;
-      }
+        {
+          sum ^= static_cast<unsigned char>(byte);
+          sum *= 1099511628211ull;
+        }
       return sum;
     }
 
-    void append(std::string &bytes, const void *data, const std::size_t size)
+    void
+    append(std::string &bytes, const void *data, const std::size_t size)
     {
       if (size > 0)
         bytes.append(static_cast<const char *>(data), size);
@@ -40,7 +42,8 @@ namespace asperity
 
     /** A count, then the items: a string or a vector of numbers. */
     template <typename Items>
-    void append_items(std::string &bytes, const Items &items)
+    void
+    append_items(std::string &bytes, const Items &items)
     {
       const std::uint64_t n = items.size();
       append(bytes, &n, sizeof(n));
@@ -48,15 +51,16 @@ namespace asperity
     }
 
     template <typename Entries>
-    void append_entries(std::string &bytes, const Entries &entries)
+    void
+    append_entries(std::string &bytes, const Entries &entries)
     {
       const std::uint64_t n = entries.size();
       append(bytes, &n, sizeof(n));
       for (const auto &[name, items] : entries)
-      {
-        append_items(bytes, name);
-        append_items(bytes, items);
-      }
+        {
+          append_items(bytes, name);
+          append_items(bytes, items);
+        }
     }
 
     /** Reads what append_entries() wrote and never beyond the end. */
@@ -69,24 +73,27 @@ namespace asperity
       {}
 
       template <typename Entries>
-      void read_entries(Entries &entries)
+      void
+      read_entries(Entries &entries)
       {
         const std::uint64_t n = count(1);
         for (std::uint64_t i = 0; i < n; ++i)
-        {
-          std::string name;
-          read_items(name);
-          read_items(entries[name]);
-        }
+          {
+            std::string name;
+            read_items(name);
+            read_items(entries[name]);
+          }
       }
 
-      bool at_end() const
+      bool
+      at_end() const
       {
         return position == bytes.size();
       }
 
     private:
-      std::uint64_t count(const std::size_t item_size)
+      std::uint64_t
+      count(const std::size_t item_size)
       {
         std::uint64_t n;
         take(&n, sizeof(n));
@@ -96,14 +103,16 @@ namespace asperity
       }
 
       template <typename Items>
-      void read_items(Items &items)
+      void
+      read_items(Items &items)
       {
         using Item = typename Items::value_type;
         items.resize(count(sizeof(Item)));
         take(items.data(), items.size() * sizeof(Item));
       }
 
-      void take(void *data, const std::size_t size)
+      void
+      take(void *data, const std::size_t size)
       {
         if (size > bytes.size() - position)
           fail();
@@ -112,7 +121,8 @@ namespace asperity
         position += size;
       }
 
-      [[noreturn]] void fail() const
+      [[noreturn]] void
+      fail() const
       {
         throw InputError("The checkpoint " + path +
                          " is damaged: an entry reaches beyond its end.");
@@ -120,10 +130,11 @@ namespace asperity
 
       const std::string &bytes;
       const std::string &path;
-      std::size_t position = 0;
+      std::size_t        position = 0;
     };
 
-    void check_head(const Head &head, const std::string &path)
+    void
+    check_head(const Head &head, const std::string &path)
     {
       if (std::memcmp(head.word, Head().word, sizeof(head.word)) != 0)
         throw InputError("The file " + path +
@@ -140,10 +151,11 @@ namespace asperity
     }
 
     template <typename Entries>
-    const typename Entries::mapped_type &find(const Entries &entries,
-                                              const std::string &name,
-                                              const std::string &kind,
-                                              const std::string &source)
+    const typename Entries::mapped_type &
+    find(const Entries     &entries,
+         const std::string &name,
+         const std::string &kind,
+         const std::string &source)
     {
       const auto entry = entries.find(name);
       if (entry == entries.end())
@@ -156,53 +168,57 @@ namespace asperity
 
 
 
-  void Checkpoint::set(const std::string &name,
-                       const std::vector<double> &values)
+  void
+  Checkpoint::set(const std::string &name, const std::vector<double> &values)
   {
     double_entries[name] = values;
   }
 
 
 
-  void Checkpoint::set(const std::string &name,
-                       const std::vector<std::int64_t> &values)
+  void
+  Checkpoint::set(const std::string               &name,
+                  const std::vector<std::int64_t> &values)
   {
     integer_entries[name] = values;
   }
 
 
 
-  void Checkpoint::set(const std::string &name, const std::string &text)
+  void
+  Checkpoint::set(const std::string &name, const std::string &text)
   {
     text_entries[name] = text;
   }
 
 
 
-  const std::vector<double> &Checkpoint::doubles(const std::string &name) const
+  const std::vector<double> &
+  Checkpoint::doubles(const std::string &name) const
   {
     return find(double_entries, name, "numbers", source);
   }
 
 
 
-  const std::vector<std::int64_t> &Checkpoint::integers(
-    const std::string &name) const
+  const std::vector<std::int64_t> &
+  Checkpoint::integers(const std::string &name) const
   {
     return find(integer_entries, name, "integers", source);
   }
 
 
 
-  const std::string &Checkpoint::text(const std::string &name) const
+  const std::string &
+  Checkpoint::text(const std::string &name) const
   {
     return find(text_entries, name, "text", source);
   }
 
 
 
-  const std::vector<double> &Checkpoint::doubles(const std::string &name,
-                                                 const std::size_t size) const
+  const std::vector<double> &
+  Checkpoint::doubles(const std::string &name, const std::size_t size) const
   {
     const std::vector<double> &values = doubles(name);
     if (values.size() != size)
@@ -215,7 +231,8 @@ namespace asperity
 
 
 
-  std::string Checkpoint::pack() const
+  std::string
+  Checkpoint::pack() const
   {
     std::string bytes;
     append_entries(bytes, double_entries);
@@ -226,10 +243,11 @@ namespace asperity
 
 
 
-  void Checkpoint::write(const std::string &path) const
+  void
+  Checkpoint::write(const std::string &path) const
   {
     const std::string bytes = pack();
-    Head head;
+    Head              head;
     head.length   = bytes.size();
     head.checksum = checksum(bytes);
     write_atomically(
@@ -243,7 +261,8 @@ namespace asperity
 
 
 
-  Checkpoint Checkpoint::read(const std::string &path)
+  Checkpoint
+  Checkpoint::read(const std::string &path)
   {
     std::ifstream in(path, std::ios::binary);
     if (!in)
@@ -268,7 +287,7 @@ namespace asperity
                        " is damaged: its checksum does not fit its content.");
 
     Checkpoint checkpoint;
-    Reader reader(bytes, path);
+    Reader     reader(bytes, path);
     reader.read_entries(checkpoint.double_entries);
     reader.read_entries(checkpoint.integer_entries);
     reader.read_entries(checkpoint.text_entries);
@@ -281,7 +300,8 @@ namespace asperity
 
 
 
-  bool Checkpoint::operator==(const Checkpoint &other) const
+  bool
+  Checkpoint::operator==(const Checkpoint &other) const
   {
     return pack() == other.pack();
   }

@@ -4,7 +4,8 @@ namespace asperity
 {
   namespace
   {
-    std::vector<TableColumn> friction_columns()
+    std::vector<TableColumn>
+    friction_columns()
     {
       return {{"step", "step"},
               {"time [s]", "time [us]", 1e6},
@@ -23,7 +24,8 @@ namespace asperity
               {"wall time [s]", "wall time [s]"}};
     }
 
-    Table open(const std::string &directory, const double keep_until)
+    Table
+    open(const std::string &directory, const double keep_until)
     {
       return Table(directory + "/friction.csv",
                    friction_columns(),
@@ -47,7 +49,8 @@ namespace asperity
 
 
 
-  void FrictionTable::append(const FrictionRow &row)
+  void
+  FrictionTable::append(const FrictionRow &row)
   {
     table.append({static_cast<double>(row.step),
                   row.time,

@@ -11,9 +11,10 @@ namespace asperity
 {
   namespace
   {
-    void require_finite(const nlohmann::ordered_json &value,
-                        const std::string &key,
-                        const std::string &path)
+    void
+    require_finite(const nlohmann::ordered_json &value,
+                   const std::string            &key,
+                   const std::string            &path)
     {
       if (value.is_number_float() && !std::isfinite(value.get<double>()))
         throw ComputationError("The value of '" + key + "' for " + path +
@@ -26,8 +27,8 @@ namespace asperity
 
 
 
-  void write_summary(const std::string &path,
-                     const nlohmann::ordered_json &summary)
+  void
+  write_summary(const std::string &path, const nlohmann::ordered_json &summary)
   {
     require_finite(summary, "", path);
     write_atomically(path, [&](std::ostream &out) {
@@ -41,20 +42,21 @@ namespace asperity
 
 
 
-  nlohmann::ordered_json read_summary(const std::string &path)
+  nlohmann::ordered_json
+  read_summary(const std::string &path)
   {
     std::ifstream in(path);
     if (!in)
       throw InputError("The file " + path +
                        " could not be opened; a JSON document is expected.");
     try
-    {
-      return nlohmann::ordered_json::parse(in);
-    }
+      {
+        return nlohmann::ordered_json::parse(in);
+      }
     catch (const nlohmann::json::parse_error &error)
-    {
-      throw InputError("The file " + path +
-                       " is not a JSON document: " + error.what() + ".");
-    }
+      {
+        throw InputError("The file " + path +
+                         " is not a JSON document: " + error.what() + ".");
+      }
   }
 } // namespace asperity

@@ -11,25 +11,26 @@ namespace asperity
 {
   namespace
   {
-    std::string heading(const std::vector<TableColumn> &columns,
-                        const bool people)
+    std::string
+    heading(const std::vector<TableColumn> &columns, const bool people)
     {
       std::string line;
       for (const TableColumn &column : columns)
         line += (line.empty() ? "" : ",") +
-          (people ? column.people_name : column.name);
+                (people ? column.people_name : column.name);
       return line;
     }
 
     /** Complete lines of a table that belong to the part that is kept. */
-    std::vector<std::string> kept_rows(const std::string &path,
-                                       const std::string &expected_heading,
-                                       const std::size_t n_columns,
-                                       const double keep_until)
+    std::vector<std::string>
+    kept_rows(const std::string &path,
+              const std::string &expected_heading,
+              const std::size_t  n_columns,
+              const double       keep_until)
     {
       std::vector<std::string> rows;
-      std::ifstream in(path);
-      std::string line;
+      std::ifstream            in(path);
+      std::string              line;
       if (!in || !std::getline(in, line))
         return rows;
       if (line != expected_heading)
@@ -37,30 +38,32 @@ namespace asperity
                          "', but a restart that continues it expects '" +
                          expected_heading + "'.");
       while (std::getline(in, line))
-      {
-        // A line without its end was cut short by a kill.
-        if (in.eof())
-          break;
-        const std::size_t n_commas = std::count(line.begin(), line.end(), ',');
-        char *end                  = nullptr;
-        const double number        = std::strtod(line.c_str(), &end);
-        if (end == line.c_str() || n_commas + 1 != n_columns)
-          throw InputError("The table " + path + " holds the line '" + line +
-                           "', but a row of " + std::to_string(n_columns) +
-                           " numbers is expected.");
-        if (number > keep_until)
-          break;
-        rows.push_back(line);
-      }
+        {
+          // A line without its end was cut short by a kill.
+          if (in.eof())
+            break;
+          const std::size_t n_commas =
+            std::count(line.begin(), line.end(), ',');
+          char        *end    = nullptr;
+          const double number = std::strtod(line.c_str(), &end);
+          if (end == line.c_str() || n_commas + 1 != n_columns)
+            throw InputError("The table " + path + " holds the line '" + line +
+                             "', but a row of " + std::to_string(n_columns) +
+                             " numbers is expected.");
+          if (number > keep_until)
+            break;
+          rows.push_back(line);
+        }
       return rows;
     }
 
-    std::ofstream open_table(const std::string &path,
-                             const std::vector<TableColumn> &columns,
-                             const bool people,
-                             const double keep_until)
+    std::ofstream
+    open_table(const std::string              &path,
+               const std::vector<TableColumn> &columns,
+               const bool                      people,
+               const double                    keep_until)
     {
-      const std::string first = heading(columns, people);
+      const std::string        first = heading(columns, people);
       std::vector<std::string> rows;
       if (keep_until > Table::keep_nothing)
         rows = kept_rows(path, first, columns.size(), keep_until);
@@ -72,9 +75,10 @@ namespace asperity
       return std::ofstream(path, std::ios::app | std::ios::binary);
     }
 
-    void write_line(std::ofstream &out,
-                    const std::string &line,
-                    const std::string &path)
+    void
+    write_line(std::ofstream     &out,
+               const std::string &line,
+               const std::string &path)
     {
       // One write and one flush a row: a kill cannot split older rows.
       out << line << std::flush;
@@ -86,10 +90,10 @@ namespace asperity
 
 
 
-  Table::Table(const std::string &path,
+  Table::Table(const std::string              &path,
                const std::vector<TableColumn> &columns,
-               const std::string &people_path,
-               const double keep_until)
+               const std::string              &people_path,
+               const double                    keep_until)
     : path(path)
     , people_path(people_path)
     , columns(columns)
@@ -108,7 +112,8 @@ namespace asperity
 
 
 
-  void Table::append(const std::vector<double> &row)
+  void
+  Table::append(const std::vector<double> &row)
   {
     if (row.size() != columns.size())
       throw ComputationError("A row of " + std::to_string(row.size()) +
@@ -117,21 +122,21 @@ namespace asperity
                              " columns.");
     std::string line, people_line;
     for (std::size_t i = 0; i < row.size(); ++i)
-    {
-      if (!std::isfinite(row[i]))
-        throw ComputationError("The value of '" + columns[i].name +
-                               "' for the table " + path +
-                               " is not a finite number.");
-      const std::string separator = i + 1 < row.size() ? "," : "\n";
-      line += shortest_decimal(row[i]) + separator;
-      // Twelve digits hide that 0.3 MPa times 1e6 is not quite 300000.
-      char shown[32];
-      std::snprintf(shown,
-                    sizeof(shown),
-                    "%.12g",
-                    columns[i].factor * row[i] + columns[i].offset);
-      people_line += shown + separator;
-    }
+      {
+        if (!std::isfinite(row[i]))
+          throw ComputationError("The value of '" + columns[i].name +
+                                 "' for the table " + path +
+                                 " is not a finite number.");
+        const std::string separator = i + 1 < row.size() ? "," : "\n";
+        line += shortest_decimal(row[i]) + separator;
+        // Twelve digits hide that 0.3 MPa times 1e6 is not quite 300000.
+        char shown[32];
+        std::snprintf(shown,
+                      sizeof(shown),
+                      "%.12g",
+                      columns[i].factor * row[i] + columns[i].offset);
+        people_line += shown + separator;
+      }
     write_line(out, line, path);
     if (people_out.is_open())
       write_line(people_out, people_line, people_path);

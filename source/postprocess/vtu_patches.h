@@ -22,13 +22,15 @@ namespace asperity
     class PatchRows
     {
     public:
-      void add_scalar(const std::string &name)
+      void
+      add_scalar(const std::string &name)
       {
         names.push_back(name);
         row_fields.push_back(name);
       }
 
-      void add_vector(const std::string &name)
+      void
+      add_vector(const std::string &name)
       {
         using namespace dealii::DataComponentInterpretation;
         ranges.emplace_back(names.size(),
@@ -36,21 +38,23 @@ namespace asperity
                             name,
                             component_is_part_of_vector);
         for (unsigned int c = 0; c < 2; ++c)
-        {
-          names.push_back(name + " " + "xy"[c]);
-          row_fields.push_back(name);
-        }
+          {
+            names.push_back(name + " " + "xy"[c]);
+            row_fields.push_back(name);
+          }
       }
 
-      unsigned int n_fields() const
+      unsigned int
+      n_fields() const
       {
         return names.size();
       }
 
       /** A patch for these rows with n_points values each. */
       template <int dim>
-      dealii::DataOutBase::Patch<dim, 2> make_patch(
-        const unsigned int n_subdivisions, const unsigned int n_points) const
+      dealii::DataOutBase::Patch<dim, 2>
+      make_patch(const unsigned int n_subdivisions,
+                 const unsigned int n_points) const
       {
         dealii::DataOutBase::Patch<dim, 2> patch;
         patch.n_subdivisions       = n_subdivisions;
@@ -63,7 +67,8 @@ namespace asperity
       /** VTU holds single precision, so that is where numbers must be finite.
        */
       template <int dim>
-      void require_finite(const dealii::DataOutBase::Patch<dim, 2> &patch) const
+      void
+      require_finite(const dealii::DataOutBase::Patch<dim, 2> &patch) const
       {
         for (unsigned int row = 0; row < patch.data.n_rows(); ++row)
           for (unsigned int i = 0; i < patch.data.n_cols(); ++i)
@@ -76,10 +81,11 @@ namespace asperity
       }
 
       template <int dim>
-      void write(const std::vector<dealii::DataOutBase::Patch<dim, 2>> &patches,
-                 const double time,
-                 const unsigned int step,
-                 std::ostream &out) const
+      void
+      write(const std::vector<dealii::DataOutBase::Patch<dim, 2>> &patches,
+            const double                                           time,
+            const unsigned int                                     step,
+            std::ostream                                          &out) const
       {
         for (const auto &patch : patches)
           require_finite(patch);

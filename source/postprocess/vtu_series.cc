@@ -15,8 +15,8 @@ namespace asperity
   namespace
   {
     /** The step in the name of a file of the series, if it is one. */
-    std::optional<int> step_of_file(const std::string &file,
-                                    const std::string &name)
+    std::optional<int>
+    step_of_file(const std::string &file, const std::string &name)
     {
       const std::string prefix = name + "_", suffix = ".vtu";
       if (file.size() <= prefix.size() + suffix.size() ||
@@ -36,7 +36,7 @@ namespace asperity
 
   VtuSeries::VtuSeries(const std::string &directory,
                        const std::string &name,
-                       const int keep_until_step)
+                       const int          keep_until_step)
     : directory(directory)
     , name(name)
   {
@@ -48,7 +48,8 @@ namespace asperity
 
 
 
-  std::string VtuSeries::file_name(const unsigned int step) const
+  std::string
+  VtuSeries::file_name(const unsigned int step) const
   {
     char number[16];
     std::snprintf(number, sizeof(number), "%06u", step);
@@ -57,16 +58,18 @@ namespace asperity
 
 
 
-  std::string VtuSeries::path(const unsigned int step) const
+  std::string
+  VtuSeries::path(const unsigned int step) const
   {
     return directory + "/" + file_name(step);
   }
 
 
 
-  void VtuSeries::write(const unsigned int step,
-                        const double time,
-                        const std::function<void(std::ostream &)> &write)
+  void
+  VtuSeries::write(const unsigned int                         step,
+                   const double                               time,
+                   const std::function<void(std::ostream &)> &write)
   {
     write_atomically(path(step), write);
     record.emplace_back(time, file_name(step));
@@ -75,44 +78,47 @@ namespace asperity
 
 
 
-  void VtuSeries::read_record(const int keep_until_step)
+  void
+  VtuSeries::read_record(const int keep_until_step)
   {
-    std::ifstream in(directory + "/" + name + ".pvd");
+    std::ifstream    in(directory + "/" + name + ".pvd");
     const std::regex entry("timestep=\"([^\"]*)\".*file=\"([^\"]*)\"");
-    std::string line;
+    std::string      line;
     while (std::getline(in, line))
-    {
-      std::smatch match;
-      if (!std::regex_search(line, match, entry))
-        continue;
-      const auto step = step_of_file(match[2], name);
-      if (step && *step <= keep_until_step &&
-          std::filesystem::exists(directory + "/" + match[2].str()))
-        record.emplace_back(std::strtod(match[1].str().c_str(), nullptr),
-                            match[2]);
-    }
+      {
+        std::smatch match;
+        if (!std::regex_search(line, match, entry))
+          continue;
+        const auto step = step_of_file(match[2], name);
+        if (step && *step <= keep_until_step &&
+            std::filesystem::exists(directory + "/" + match[2].str()))
+          record.emplace_back(std::strtod(match[1].str().c_str(), nullptr),
+                              match[2]);
+      }
   }
 
 
 
-  void VtuSeries::remove_files(const int keep_until_step) const
+  void
+  VtuSeries::remove_files(const int keep_until_step) const
   {
     std::error_code error;
     for (const auto &file :
          std::filesystem::directory_iterator(directory, error))
-    {
-      const auto step = step_of_file(file.path().filename().string(), name);
-      if (step && *step > keep_until_step)
       {
-        std::error_code ignored;
-        std::filesystem::remove(file.path(), ignored);
+        const auto step = step_of_file(file.path().filename().string(), name);
+        if (step && *step > keep_until_step)
+          {
+            std::error_code ignored;
+            std::filesystem::remove(file.path(), ignored);
+          }
       }
-    }
   }
 
 
 
-  void VtuSeries::write_record() const
+  void
+  VtuSeries::write_record() const
   {
     write_atomically(directory + "/" + name + ".pvd", [&](std::ostream &out) {
       dealii::DataOutBase::write_pvd_record(out, record);

@@ -68,7 +68,9 @@ TEST(MakeProfile, of_a_wavy_surface)
   EXPECT_NEAR(report.measured_roughness.Rz, 0.8e-6, 30e-9);
   EXPECT_NEAR(report.areal.Sq, 0.4e-6 / std::sqrt(2.), 6e-9);
   EXPECT_EQ(report.n_filled, 0u);
-  EXPECT_EQ(report.steps.size(), 3u);
+  // Form removal, the profile, what its roughness is without an L-filter, and
+  // the continuation.
+  EXPECT_EQ(report.steps.size(), 4u);
 }
 
 TEST(MakeProfile, crop_by_lengths_and_by_samples_agree)

@@ -4,6 +4,7 @@
 #include <asperity/topography/height_map.h>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -29,8 +30,9 @@ namespace asperity_test
   inline std::string
   write_bytes(const std::string &name, const std::string &bytes)
   {
-    const auto folder =
-      std::filesystem::path(ASPERITY_BINARY_DIR) / "test_topography";
+    // A folder a process: ctest runs several tests at once.
+    const auto folder = std::filesystem::path(ASPERITY_BINARY_DIR) /
+                        "test_topography" / std::to_string(getpid());
     std::filesystem::create_directories(folder);
     const std::string file = (folder / name).string();
     std::ofstream(file, std::ios::binary) << bytes;

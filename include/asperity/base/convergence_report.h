@@ -11,7 +11,7 @@ namespace asperity
    */
   struct ConvergenceReport
   {
-    bool converged          = false;
+    bool         converged  = false;
     unsigned int iterations = 0;
 
     /** In the measure of the iteration that reports (see there). */

@@ -11,16 +11,18 @@ namespace asperity
   struct ParameterLine
   {
     std::vector<std::string> subsections;
-    std::string key;
-    std::string value;
-    std::string file;
-    unsigned int line = 0;
+    std::string              key;
+    std::string              value;
+    std::string              file;
+    unsigned int             line = 0;
 
     /** "Load/Pressure" */
-    std::string path() const;
+    std::string
+    path() const;
 
     /** "name.prm, line 7" */
-    std::string origin() const;
+    std::string
+    origin() const;
   };
 
   /**
@@ -32,11 +34,12 @@ namespace asperity
    * such a line, for an entry set twice in one file, and for files that include
    * themselves.
    */
-  std::vector<ParameterLine> read_parameter_lines(const std::string &file_name);
+  std::vector<ParameterLine>
+  read_parameter_lines(const std::string &file_name);
 
   /** The same from a stream; @p name stands for the file in messages. */
-  std::vector<ParameterLine> read_parameter_lines(std::istream &input,
-                                                  const std::string &name);
+  std::vector<ParameterLine>
+  read_parameter_lines(std::istream &input, const std::string &name);
 } // namespace asperity
 
 #endif

@@ -8,7 +8,8 @@
 namespace asperity
 {
   /** "7 s", "3 min 20 s", "2 h 5 min": for people, not for tables. */
-  std::string format_duration(const double seconds);
+  std::string
+  format_duration(const double seconds);
 
   /**
    * One line a step: "step 12/50  t = 0.06 us  mu = 0.21  (8 s left)". On a
@@ -36,37 +37,42 @@ namespace asperity
     /** Ends the line that is still open on a terminal. */
     ~ProgressLine();
 
-    ProgressLine(const ProgressLine &)            = delete;
-    ProgressLine &operator=(const ProgressLine &) = delete;
+    ProgressLine(const ProgressLine &) = delete;
+    ProgressLine &
+    operator=(const ProgressLine &) = delete;
 
     /**
      * @param fraction of the whole run that is done, in [0, 1]: it gives the
      *   estimate of the time left
      * @param text what to say of the step
      */
-    void update(const double fraction, const std::string &text);
+    void
+    update(const double fraction, const std::string &text);
 
     /**
      * The same by step numbers: "step k/n  text".
      */
-    void update_step(const unsigned int step,
-                     const unsigned int n_steps,
-                     const std::string &text);
+    void
+    update_step(const unsigned int step,
+                const unsigned int n_steps,
+                const std::string &text);
 
     /** A line of its own that stays, e.g. that a step was cut. */
-    void note(const std::string &text);
+    void
+    note(const std::string &text);
 
   private:
     using Clock = std::chrono::steady_clock;
 
-    void finish_line();
+    void
+    finish_line();
 
-    std::ostream &out;
-    Mode mode;
+    std::ostream     &out;
+    Mode              mode;
     Clock::time_point start;
     Clock::time_point last_printed;
-    bool anything_printed   = false;
-    std::size_t open_length = 0;
+    bool              anything_printed = false;
+    std::size_t       open_length      = 0;
   };
 } // namespace asperity
 

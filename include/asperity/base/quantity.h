@@ -31,22 +31,27 @@ namespace asperity
   };
 
   /** "stress", "specific heat", ..., as error messages call it. */
-  std::string to_string(const Dimension dimension);
+  std::string
+  to_string(const Dimension dimension);
 
   /** The units accepted for a dimension, the SI unit first. */
-  std::vector<std::string> accepted_units(const Dimension dimension);
+  std::vector<std::string>
+  accepted_units(const Dimension dimension);
 
   /**
    * The dimension of a unit ("MPa" -> stress, "1" -> none). Each unit belongs
    * to one dimension. Throws InputError if the unit is unknown.
    */
-  Dimension dimension_of(const std::string &unit);
+  Dimension
+  dimension_of(const std::string &unit);
 
   /** Converts a value in the given unit to SI (675 degC -> 948.15 K). */
-  double to_si(const double value, const std::string &unit);
+  double
+  to_si(const double value, const std::string &unit);
 
   /** Converts an SI value to the given unit. */
-  double from_si(const double value, const std::string &unit);
+  double
+  from_si(const double value, const std::string &unit);
 
   /**
    * Reads a number with a unit ("1.3 GPa", "22.5 m/min", "0.25us") and returns
@@ -54,27 +59,32 @@ namespace asperity
    * Throws InputError with a half sentence (no file, no entry: the caller knows
    * them) that says what was found and lists the units accepted.
    */
-  double parse_quantity(const std::string &text, const Dimension dimension);
+  double
+  parse_quantity(const std::string &text, const Dimension dimension);
 
   /**
    * Writes an SI value in a unit with the fewest digits that parse_quantity()
    * reads back as the same double (up to 17): 3e8, "MPa" -> "300 MPa".
    */
-  std::string format_quantity(const double value, const std::string &unit);
+  std::string
+  format_quantity(const double value, const std::string &unit);
 
   /** The same with a fixed number of significant digits, for people to read. */
-  std::string format_quantity(const double value,
-                              const std::string &unit,
-                              const unsigned int digits);
+  std::string
+  format_quantity(const double       value,
+                  const std::string &unit,
+                  const unsigned int digits);
 
   /**
    * Reads a plain number; independent of the locale. Throws InputError with a
    * half sentence if the text is anything else or not finite.
    */
-  double parse_number(const std::string &text);
+  double
+  parse_number(const std::string &text);
 
   /** The fewest digits that parse_number() reads back as the same double. */
-  std::string format_number(const double value);
+  std::string
+  format_number(const double value);
 } // namespace asperity
 
 #endif

@@ -7,22 +7,24 @@
 namespace asperity
 {
   /** Without blanks at both ends. */
-  std::string trim(const std::string &text);
+  std::string
+  trim(const std::string &text);
 
   /** The parts between separators, trimmed; empty text has no parts. */
-  std::vector<std::string> split(const std::string &text, const char separator);
+  std::vector<std::string>
+  split(const std::string &text, const char separator);
 
   /** "a, b, c" for separator ", ". */
-  std::string join(const std::vector<std::string> &parts,
-                   const std::string &separator);
+  std::string
+  join(const std::vector<std::string> &parts, const std::string &separator);
 
   /**
    * Number of insertions, deletions, substitutions and swaps of neighbours
    * that turn one text into the other, regardless of case (optimal string
    * alignment distance).
    */
-  unsigned int edit_distance(const std::string &first,
-                             const std::string &second);
+  unsigned int
+  edit_distance(const std::string &first, const std::string &second);
 } // namespace asperity
 
 #endif

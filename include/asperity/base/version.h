@@ -8,17 +8,21 @@
 namespace asperity
 {
   /** "0.1.0" */
-  std::string version();
+  std::string
+  version();
 
   /** The commit that was configured, or "unknown" outside a git checkout. */
-  std::string git_revision();
+  std::string
+  git_revision();
 
   /** "asperity 0.1.0 (1a2b3c4, Release, deal.II 9.4.1, Trilinos 13.2.0, ...)"
    */
-  std::string version_line();
+  std::string
+  version_line();
 
   /** The same as an object, for `summary.json`. */
-  nlohmann::ordered_json version_json();
+  nlohmann::ordered_json
+  version_json();
 } // namespace asperity
 
 #endif

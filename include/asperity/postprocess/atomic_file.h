@@ -23,15 +23,17 @@ namespace asperity
    * @throws ComputationError if the folder or file cannot be written; what
    *   `write` throws is passed on, with the temporary file removed.
    */
-  void write_atomically(const std::string &path,
-                        const std::function<void(std::ostream &)> &write,
-                        const Durability durability = Durability::process);
+  void
+  write_atomically(const std::string                         &path,
+                   const std::function<void(std::ostream &)> &write,
+                   const Durability durability = Durability::process);
 
   /**
    * The shortest decimal that reads back as the same double; whole numbers
    * below 1e15 without exponent. Independent of the locale.
    */
-  std::string shortest_decimal(const double value);
+  std::string
+  shortest_decimal(const double value);
 } // namespace asperity
 
 #endif

@@ -50,10 +50,10 @@ namespace asperity
      * @param n_gauss_points Gauss points a direction at which quadrature fields
      *   are given
      */
-    ChipOutput(const SplineSpace &space,
+    ChipOutput(const SplineSpace   &space,
                const PatchGeometry &geometry,
-               const unsigned int n_subdivisions,
-               const unsigned int n_gauss_points);
+               const unsigned int   n_subdivisions,
+               const unsigned int   n_gauss_points);
 
     /**
      * Writes VTU. The displacement is a field of its own, too, named
@@ -65,31 +65,36 @@ namespace asperity
      *   holds a number that is not finite (in single precision, which VTU
      * stores)
      */
-    void write(std::ostream &out,
-               const ChipFields &fields,
-               const double time,
-               const unsigned int step,
-               const unsigned int n_periods = 1) const;
+    void
+    write(std::ostream      &out,
+          const ChipFields  &fields,
+          const double       time,
+          const unsigned int step,
+          const unsigned int n_periods = 1) const;
 
   private:
-    void check_sizes(const ChipFields &fields) const;
+    void
+    check_sizes(const ChipFields &fields) const;
 
     /** Value of a spline field at a table point. */
-    double spline_value(const BasisTable::Element &element,
-                        const unsigned int point,
-                        const dealii::Vector<double> &coefficients,
-                        const unsigned int n_components,
-                        const unsigned int component) const;
+    double
+    spline_value(const BasisTable::Element    &element,
+                 const unsigned int            point,
+                 const dealii::Vector<double> &coefficients,
+                 const unsigned int            n_components,
+                 const unsigned int            component) const;
 
     /** Draws one cell's quadrature field into a row of the data. */
-    void fill_from_gauss_points(const double *values,
-                                const unsigned int row,
-                                dealii::Table<2, float> &data) const;
+    void
+    fill_from_gauss_points(const double            *values,
+                           const unsigned int       row,
+                           dealii::Table<2, float> &data) const;
 
     /** All rows of one cell: displacement, fields, position. */
-    void fill_cell(const unsigned int e,
-                   const ChipFields &fields,
-                   dealii::Table<2, float> &data) const;
+    void
+    fill_cell(const unsigned int       e,
+              const ChipFields        &fields,
+              dealii::Table<2, float> &data) const;
 
     unsigned int n_subdivisions, n_gauss_points, n_functions;
 

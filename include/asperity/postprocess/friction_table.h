@@ -13,21 +13,21 @@ namespace asperity
    */
   struct FrictionRow
   {
-    unsigned int step              = 0;
-    double time                    = 0.; ///< [s]
-    double sliding_distance        = 0.; ///< [m]
-    double T_x                     = 0.; ///< [N/m]
-    double T_y                     = 0.; ///< [N/m]
-    double mu                      = 0.; ///< 0 as long as nothing is loaded
-    double contact_fraction        = 0.; ///< of the period
-    double max_contact_pressure    = 0.; ///< [Pa]
-    double max_plastic_strain      = 0.;
-    double max_temperature         = 0.; ///< [K]
-    double mean_gap                = 0.; ///< [m]
-    double max_penetration         = 0.; ///< [m], positive
-    unsigned int newton_iterations = 0;
-    unsigned int factorisations    = 0;
-    double wall_time               = 0.; ///< [s] of this step
+    unsigned int step                 = 0;
+    double       time                 = 0.; ///< [s]
+    double       sliding_distance     = 0.; ///< [m]
+    double       T_x                  = 0.; ///< [N/m]
+    double       T_y                  = 0.; ///< [N/m]
+    double       mu                   = 0.; ///< 0 as long as nothing is loaded
+    double       contact_fraction     = 0.; ///< of the period
+    double       max_contact_pressure = 0.; ///< [Pa]
+    double       max_plastic_strain   = 0.;
+    double       max_temperature      = 0.; ///< [K]
+    double       mean_gap             = 0.; ///< [m]
+    double       max_penetration      = 0.; ///< [m], positive
+    unsigned int newton_iterations    = 0;
+    unsigned int factorisations       = 0;
+    double       wall_time            = 0.; ///< [s] of this step
   };
 
   /**
@@ -45,7 +45,8 @@ namespace asperity
     FrictionTable(const std::string &directory, const unsigned int step);
 
     /** @throws ComputationError naming the column that is not finite. */
-    void append(const FrictionRow &row);
+    void
+    append(const FrictionRow &row);
 
   private:
     Table table;

@@ -20,8 +20,8 @@ namespace asperity
     using Fields = std::vector<std::pair<std::string, std::vector<Value>>>;
 
     std::vector<dealii::Point<2>> points; ///< current position [m]
-    Fields<double> scalars;
-    Fields<dealii::Tensor<1, 2>> vectors;
+    Fields<double>                scalars;
+    Fields<dealii::Tensor<1, 2>>  vectors;
   };
 
   /**
@@ -31,10 +31,11 @@ namespace asperity
    * @throws ComputationError naming the field whose length is wrong or that
    *   holds a number that is not finite (in single precision, which VTU stores)
    */
-  void write_polyline(std::ostream &out,
-                      const Polyline &line,
-                      const double time,
-                      const unsigned int step);
+  void
+  write_polyline(std::ostream      &out,
+                 const Polyline    &line,
+                 const double       time,
+                 const unsigned int step);
 } // namespace asperity
 
 #endif

@@ -16,8 +16,8 @@ namespace asperity
   {
     std::string name;        ///< heading with unit, "time [s]"
     std::string people_name; ///< heading with unit, "time [us]"
-    double factor = 1.;
-    double offset = 0.;
+    double      factor = 1.;
+    double      offset = 0.;
   };
 
   /**
@@ -44,22 +44,23 @@ namespace asperity
      *   number is at most this stay, later ones are removed
      * @throws InputError if rows are to be kept and the headings differ
      */
-    Table(const std::string &path,
+    Table(const std::string              &path,
           const std::vector<TableColumn> &columns,
-          const std::string &people_path = "",
-          const double keep_until        = keep_nothing);
+          const std::string              &people_path = "",
+          const double                    keep_until  = keep_nothing);
 
     /**
      * @param row one value a column, in SI units
      * @throws ComputationError naming the column if a value is not finite or if
      *   the file cannot be written
      */
-    void append(const std::vector<double> &row);
+    void
+    append(const std::vector<double> &row);
 
   private:
-    std::string path, people_path;
+    std::string              path, people_path;
     std::vector<TableColumn> columns;
-    std::ofstream out, people_out;
+    std::ofstream            out, people_out;
   };
 } // namespace asperity
 

@@ -29,7 +29,7 @@ namespace asperity
      */
     VtuSeries(const std::string &directory,
               const std::string &name,
-              const int keep_until_step = keep_nothing);
+              const int          keep_until_step = keep_nothing);
 
     /**
      * @param write fills the file, as write_polyline() and ChipOutput::write()
@@ -37,23 +37,29 @@ namespace asperity
      * @throws ComputationError if the file cannot be written, and what `write`
      *   throws; the record then stays as it was
      */
-    void write(const unsigned int step,
-               const double time,
-               const std::function<void(std::ostream &)> &write);
+    void
+    write(const unsigned int                         step,
+          const double                               time,
+          const std::function<void(std::ostream &)> &write);
 
     /** Path of the file of a step. */
-    std::string path(const unsigned int step) const;
+    std::string
+    path(const unsigned int step) const;
 
   private:
-    void read_record(const int keep_until_step);
+    void
+    read_record(const int keep_until_step);
 
-    void remove_files(const int keep_until_step) const;
+    void
+    remove_files(const int keep_until_step) const;
 
-    void write_record() const;
+    void
+    write_record() const;
 
-    std::string file_name(const unsigned int step) const;
+    std::string
+    file_name(const unsigned int step) const;
 
-    std::string directory, name;
+    std::string                                 directory, name;
     std::vector<std::pair<double, std::string>> record;
   };
 } // namespace asperity
