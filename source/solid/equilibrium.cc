@@ -1,5 +1,6 @@
 #include <asperity/solid/equilibrium.h>
 
+#include <deal.II/base/numbers.h>
 #include <deal.II/base/timer.h>
 
 #include <cmath>
@@ -15,6 +16,7 @@ namespace asperity
     : terms(terms)
     , is_prescribed(is_prescribed)
     , solver(make_direct_solver(solver_kind))
+    , support(dealii::numbers::invalid_unsigned_int)
     , load(n_dofs)
     , inertia_constant(n_dofs)
   {
@@ -39,6 +41,8 @@ namespace asperity
     for (ForceTerm *term : terms)
       if (!term->add(u, R, with_tangent ? &matrix : nullptr))
         return false;
+    if (with_tangent)
+      collect_rank_one_terms();
     R -= load;
     if (mass != nullptr)
       {
@@ -49,6 +53,7 @@ namespace asperity
         if (with_tangent)
           {
             matrix *= static_weight;
+            dense_part.scale(static_weight);
             matrix.add(mass_factor, *mass);
           }
       }
@@ -57,6 +62,17 @@ namespace asperity
         R(i) = 0.;
     cost_.assembly += timer.wall_time();
     return true;
+  }
+
+
+
+  void
+  Equilibrium::collect_rank_one_terms()
+  {
+    dense_part.clear();
+    for (const ForceTerm *term : terms)
+      for (const RankOneTerm &dense : term->rank_one_terms())
+        dense_part.add(dense.vector, dense.factor);
   }
 
 
@@ -97,7 +113,17 @@ namespace asperity
   {
     dealii::Timer timer;
     eliminate_prescribed();
-    const bool regular = solver->factorize(matrix);
+    dense_part.drop_rows(is_prescribed);
+    if (support < matrix.m() && !dense_part.empty())
+      {
+        Vector unit(matrix.m());
+        unit(support)    = 1.;
+        const double add = std::abs(matrix.diag_element(support));
+        matrix.add(support, support, add);
+        dense_part.add(unit, -add);
+      }
+    const bool regular =
+      solver->factorize(matrix) && dense_part.factorize(*solver);
     ++cost_.factorisations;
     cost_.factorisation += timer.wall_time();
     if (!regular)
@@ -106,8 +132,17 @@ namespace asperity
     d = R;
     d *= -1.;
     solver->solve(d);
+    dense_part.correct(d);
     cost_.solution += timer.wall_time();
     return std::isfinite(d.l2_norm());
+  }
+
+
+
+  void
+  Equilibrium::set_support(const unsigned int dof)
+  {
+    support = dof;
   }
 
 
@@ -146,6 +181,7 @@ namespace asperity
     if (!assemble(u, R, true))
       return false;
     matrix.vmult(coupling, increment);
+    dense_part.vmult_add(coupling, increment);
     for (unsigned int i = 0; i < u.size(); ++i)
       if (!is_prescribed[i])
         R(i) += coupling(i);

@@ -5,8 +5,17 @@
 #include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/vector.h>
 
+#include <vector>
+
 namespace asperity
 {
+  /** The dense part factor * vector vector^T of a tangent. */
+  struct RankOneTerm
+  {
+    dealii::Vector<double> vector;
+    double                 factor = 0.;
+  };
+
   /**
    * One contribution to the residual of a displacement field u on a spline
    * space. Degrees of freedom are interleaved: component c of function a has
@@ -33,6 +42,14 @@ namespace asperity
     add(const dealii::Vector<double> &u,
         dealii::Vector<double>       &residual,
         dealii::SparseMatrix<double> *tangent) = 0;
+
+    /** What the tangent of the last add() holds beyond the sparse matrix, e.g.
+     *  the stiffness of a volume, which couples a whole edge. */
+    virtual std::vector<RankOneTerm>
+    rank_one_terms() const
+    {
+      return {};
+    }
   };
 } // namespace asperity
 

@@ -3,6 +3,7 @@
 
 #include <asperity/isogeometric/force_term.h>
 #include <asperity/solvers/direct_solver.h>
+#include <asperity/solvers/low_rank_update.h>
 #include <asperity/solvers/newton.h>
 
 #include <deal.II/lac/sparsity_pattern.h>
@@ -53,6 +54,12 @@ namespace asperity
     direction(const dealii::Vector<double> &R,
               dealii::Vector<double>       &d) override;
 
+    /** Names a degree of freedom whose diagonal entry is raised while the
+     *  sparse matrix is factorised, and set right by a rank-one update: a body
+     *  that nothing but rank-one terms hold can then be solved for, too. */
+    void
+    set_support(const unsigned int dof);
+
     /** Dead load [N/m or N], at the end of the step. */
     void
     set_load(const dealii::Vector<double> &load);
@@ -97,11 +104,16 @@ namespace asperity
     void
     eliminate_prescribed();
 
+    void
+    collect_rank_one_terms();
+
     std::vector<ForceTerm *>            terms;
     std::vector<bool>                   is_prescribed;
     dealii::SparsityPattern             pattern;
     dealii::SparseMatrix<double>        matrix;
     std::unique_ptr<DirectSolver>       solver;
+    LowRankUpdate                       dense_part;
+    unsigned int                        support;
     dealii::Vector<double>              load;
     const dealii::SparseMatrix<double> *mass          = nullptr;
     double                              mass_factor   = 0.;
