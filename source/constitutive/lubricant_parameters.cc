@@ -1,0 +1,149 @@
+#include <asperity/base/errors.h>
+#include <asperity/base/parameters.h>
+#include <asperity/constitutive/lubricant_parameters.h>
+
+namespace asperity
+{
+  namespace
+  {
+    void
+    declare_density(double              &density,
+                    LubricantDensity    &law,
+                    ParameterDeclarator &d)
+    {
+      d.quantity("Density",
+                 density,
+                 "kg/m^3",
+                 Range::positive(),
+                 "Mass density rho_0 at ambient pressure.");
+      d.choice("Density law",
+               law.law,
+               {{"incompressible", DensityLaw::incompressible},
+                {"Murnaghan", DensityLaw::murnaghan},
+                {"Dowson-Higginson", DensityLaw::dowson_higginson},
+                {"constant modulus", DensityLaw::constant_modulus}},
+               "How the density grows with pressure p: not at all; after "
+               "Murnaghan, (1 + K' p/K_0)^(1/K'); after Dowson and Higginson "
+               "for mineral oil, without constants of its own; or "
+               "exp(p/K_0).");
+      d.quantity("Bulk modulus",
+                 law.bulk_modulus,
+                 "GPa",
+                 Range::positive(),
+                 "Bulk modulus K_0 at ambient pressure.");
+      d.number("Bulk modulus slope",
+               law.modulus_derivative,
+               Range::positive(),
+               "Growth K' of the bulk modulus with pressure, of Murnaghan's "
+               "law.");
+    }
+
+
+
+    void
+    declare_shear_law(ViscosityParameters &p, ParameterDeclarator &d)
+    {
+      d.quantity("Viscosity",
+                 p.viscosity,
+                 "Pa s",
+                 Range::positive(),
+                 "Dynamic viscosity eta_0 at low shear rate and ambient "
+                 "pressure.");
+      d.choice("Shear law",
+               p.shear_law,
+               {{"Newtonian", ShearLaw::newtonian},
+                {"Carreau", ShearLaw::carreau}},
+               "Whether the viscosity falls with the shear rate: not, or after "
+               "Carreau with the three constants below.");
+      const auto section = d.subsection("Carreau");
+      d.quantity("Infinite shear viscosity",
+                 p.infinite_shear_viscosity,
+                 "Pa s",
+                 Range::non_negative(),
+                 "Viscosity eta_inf at infinite shear rate.");
+      d.quantity("Time constant",
+                 p.time_constant,
+                 "s",
+                 Range::non_negative(),
+                 "Time constant lambda: thinning starts at the rate "
+                 "1/lambda.");
+      d.number("Power index",
+               p.power_index,
+               Range{0., 1., false, true},
+               "Power index n: the viscosity falls as the rate to the n - 1.");
+    }
+
+
+
+    void
+    declare_pressure_laws(ViscosityParameters &p, ParameterDeclarator &d)
+    {
+      d.choice("Pressure law",
+               p.pressure_law,
+               {{"none", PressureLaw::none},
+                {"Barus", PressureLaw::barus},
+                {"Roelands", PressureLaw::roelands}},
+               "How the viscosity grows with pressure p: not at all; after "
+               "Barus, exp(alpha p); or after Roelands, slower at high "
+               "pressure.");
+      d.quantity("Pressure coefficient",
+                 p.pressure_coefficient,
+                 "1/GPa",
+                 Range::non_negative(),
+                 "Pressure-viscosity coefficient alpha of Barus.");
+      d.number("Roelands exponent",
+               p.roelands_exponent,
+               Range::non_negative(),
+               "Exponent Z of Roelands.");
+      d.choice("Stress limit",
+               p.stress_limit,
+               {{"none", StressLimit::none},
+                {"circular", StressLimit::circular}},
+               "Whether the shear stress is limited by that at which the "
+               "lubricant slips like a plastic solid: not, or by the circular "
+               "law of Lee and Hamrock.");
+      d.quantity("Limiting stress",
+                 p.limiting_stress,
+                 "MPa",
+                 Range::positive(),
+                 "Limiting shear stress tau_0 at ambient pressure.");
+      d.number("Limiting stress slope",
+               p.limiting_stress_slope,
+               Range::non_negative(),
+               "Growth zeta of the limiting shear stress with pressure.");
+    }
+  } // namespace
+
+
+
+  void
+  LubricantParameters::declare(ParameterDeclarator &parameters)
+  {
+    const auto section = parameters.subsection("Lubricant");
+    declare_density(density, compressibility, parameters);
+    declare_shear_law(viscosity, parameters);
+    declare_pressure_laws(viscosity, parameters);
+  }
+
+
+
+  void
+  LubricantParameters::check() const
+  {
+    const auto require_positive =
+      [](const double value, const std::string &name, const std::string &unit) {
+        if (!(value > 0.))
+          throw InputError("The lubricant's " + name +
+                           " must be positive, but it is " +
+                           format_quantity(value, unit) + ".");
+      };
+    require_positive(density, "density", "kg/m^3");
+    const LubricantDensity &law = compressibility;
+    if (law.law == DensityLaw::murnaghan ||
+        law.law == DensityLaw::constant_modulus)
+      require_positive(law.bulk_modulus, "bulk modulus", "GPa");
+    if (law.law == DensityLaw::murnaghan)
+      require_positive(law.modulus_derivative, "bulk modulus slope", "1");
+    LubricantViscosity{viscosity}; // its constructor checks
+  }
+} // namespace asperity
