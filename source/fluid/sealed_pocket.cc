@@ -148,7 +148,7 @@ namespace asperity
     for (const Pocket &pocket : pockets)
       {
         if (pocket.pressure > 0.)
-          for (unsigned int i = 0; i < n_dofs; ++i)
+          for (unsigned int i = 0; i < pocket.gradient.size(); ++i)
             state.pressure_force[i % 2] += pocket.pressure * pocket.gradient(i);
         state.max_pressure = std::max(state.max_pressure, pocket.pressure);
         state.void_volume += pocket.volume;
