@@ -35,81 +35,77 @@ namespace asperity
       }
     };
 
+    using D                 = Dimension;
+    constexpr double pi     = 3.14159265358979323846;
+    constexpr double zero_C = 273.15;
+
     /** The SI unit of each dimension first. */
-    const std::vector<Unit> &
-    units()
-    {
-      using D                               = Dimension;
-      constexpr double               pi     = 3.14159265358979323846;
-      constexpr double               zero_C = 273.15;
-      static const std::vector<Unit> table  = {
-         {"1", D::none, 1, 1, 0},
-         {"%", D::none, 1, 100, 0},
-         {"m", D::length, 1, 1, 0},
-         {"cm", D::length, 1, 1e2, 0},
-         {"mm", D::length, 1, 1e3, 0},
-         {"um", D::length, 1, 1e6, 0},
-         {"nm", D::length, 1, 1e9, 0},
-         {"m2", D::area, 1, 1, 0},
-         {"mm2", D::area, 1, 1e6, 0},
-         {"um2", D::area, 1, 1e12, 0},
-         {"s", D::time, 1, 1, 0},
-         {"ms", D::time, 1, 1e3, 0},
-         {"us", D::time, 1, 1e6, 0},
-         {"ns", D::time, 1, 1e9, 0},
-         {"min", D::time, 60, 1, 0},
-         {"h", D::time, 3600, 1, 0},
-         {"1/s", D::rate, 1, 1, 0},
-         {"1/ms", D::rate, 1e3, 1, 0},
-         {"1/us", D::rate, 1e6, 1, 0},
-         {"1/min", D::rate, 1, 60, 0},
-         {"Hz", D::rate, 1, 1, 0},
-         {"m/s", D::velocity, 1, 1, 0},
-         {"m/min", D::velocity, 1, 60, 0},
-         {"km/h", D::velocity, 10, 36, 0},
-         {"mm/s", D::velocity, 1, 1e3, 0},
-         {"mm/min", D::velocity, 1, 6e4, 0},
-         {"um/us", D::velocity, 1, 1, 0},
-         {"m/s2", D::acceleration, 1, 1, 0},
-         {"rad", D::angle, 1, 1, 0},
-         {"deg", D::angle, pi, 180, 0},
-         {"Pa", D::stress, 1, 1, 0},
-         {"kPa", D::stress, 1e3, 1, 0},
-         {"MPa", D::stress, 1e6, 1, 0},
-         {"GPa", D::stress, 1e9, 1, 0},
-         {"bar", D::stress, 1e5, 1, 0},
-         {"N/m2", D::stress, 1, 1, 0},
-         {"N/mm2", D::stress, 1e6, 1, 0},
-         {"1/Pa", D::inverse_stress, 1, 1, 0},
-         {"1/MPa", D::inverse_stress, 1, 1e6, 0},
-         {"1/GPa", D::inverse_stress, 1, 1e9, 0},
-         {"Pa/m", D::stress_per_length, 1, 1, 0},
-         {"MPa/um", D::stress_per_length, 1e12, 1, 0},
-         {"GPa/um", D::stress_per_length, 1e15, 1, 0},
-         {"N/m3", D::stress_per_length, 1, 1, 0},
-         {"N/mm3", D::stress_per_length, 1e9, 1, 0},
-         {"N/m", D::line_load, 1, 1, 0},
-         {"kN/m", D::line_load, 1e3, 1, 0},
-         {"N/mm", D::line_load, 1e3, 1, 0},
-         {"kg/m3", D::density, 1, 1, 0},
-         {"g/cm3", D::density, 1e3, 1, 0},
-         {"t/mm3", D::density, 1e12, 1, 0},
-         {"Pa s", D::viscosity, 1, 1, 0},
-         {"mPa s", D::viscosity, 1, 1e3, 0},
-         {"cP", D::viscosity, 1, 1e3, 0},
-         {"K", D::temperature, 1, 1, 0},
-         {"degC", D::temperature, 1, 1, zero_C},
-         {"degF", D::temperature, 5, 9, zero_C - 160. / 9.},
-         {"1/K", D::expansion, 1, 1, 0},
-         {"um/(m K)", D::expansion, 1, 1e6, 0},
-         {"J/(kg K)", D::specific_heat, 1, 1, 0},
-         {"kJ/(kg K)", D::specific_heat, 1e3, 1, 0},
-         {"J/(g K)", D::specific_heat, 1e3, 1, 0},
-         {"W/(m K)", D::thermal_conductivity, 1, 1, 0},
-         {"W/(m2 K)", D::heat_transfer, 1, 1, 0},
-      };
-      return table;
-    }
+    constexpr Unit units[] = {
+      {"1", D::none, 1, 1, 0},
+      {"%", D::none, 1, 100, 0},
+      {"m", D::length, 1, 1, 0},
+      {"cm", D::length, 1, 1e2, 0},
+      {"mm", D::length, 1, 1e3, 0},
+      {"um", D::length, 1, 1e6, 0},
+      {"nm", D::length, 1, 1e9, 0},
+      {"m2", D::area, 1, 1, 0},
+      {"mm2", D::area, 1, 1e6, 0},
+      {"um2", D::area, 1, 1e12, 0},
+      {"s", D::time, 1, 1, 0},
+      {"ms", D::time, 1, 1e3, 0},
+      {"us", D::time, 1, 1e6, 0},
+      {"ns", D::time, 1, 1e9, 0},
+      {"min", D::time, 60, 1, 0},
+      {"h", D::time, 3600, 1, 0},
+      {"1/s", D::rate, 1, 1, 0},
+      {"1/ms", D::rate, 1e3, 1, 0},
+      {"1/us", D::rate, 1e6, 1, 0},
+      {"1/min", D::rate, 1, 60, 0},
+      {"Hz", D::rate, 1, 1, 0},
+      {"m/s", D::velocity, 1, 1, 0},
+      {"m/min", D::velocity, 1, 60, 0},
+      {"km/h", D::velocity, 10, 36, 0},
+      {"mm/s", D::velocity, 1, 1e3, 0},
+      {"mm/min", D::velocity, 1, 6e4, 0},
+      {"um/us", D::velocity, 1, 1, 0},
+      {"m/s2", D::acceleration, 1, 1, 0},
+      {"rad", D::angle, 1, 1, 0},
+      {"deg", D::angle, pi, 180, 0},
+      {"Pa", D::stress, 1, 1, 0},
+      {"kPa", D::stress, 1e3, 1, 0},
+      {"MPa", D::stress, 1e6, 1, 0},
+      {"GPa", D::stress, 1e9, 1, 0},
+      {"bar", D::stress, 1e5, 1, 0},
+      {"N/m2", D::stress, 1, 1, 0},
+      {"N/mm2", D::stress, 1e6, 1, 0},
+      {"1/Pa", D::inverse_stress, 1, 1, 0},
+      {"1/MPa", D::inverse_stress, 1, 1e6, 0},
+      {"1/GPa", D::inverse_stress, 1, 1e9, 0},
+      {"Pa/m", D::stress_per_length, 1, 1, 0},
+      {"MPa/um", D::stress_per_length, 1e12, 1, 0},
+      {"GPa/um", D::stress_per_length, 1e15, 1, 0},
+      {"N/m3", D::stress_per_length, 1, 1, 0},
+      {"N/mm3", D::stress_per_length, 1e9, 1, 0},
+      {"N/m", D::line_load, 1, 1, 0},
+      {"kN/m", D::line_load, 1e3, 1, 0},
+      {"N/mm", D::line_load, 1e3, 1, 0},
+      {"kg/m3", D::density, 1, 1, 0},
+      {"g/cm3", D::density, 1e3, 1, 0},
+      {"t/mm3", D::density, 1e12, 1, 0},
+      {"Pa s", D::viscosity, 1, 1, 0},
+      {"mPa s", D::viscosity, 1, 1e3, 0},
+      {"cP", D::viscosity, 1, 1e3, 0},
+      {"K", D::temperature, 1, 1, 0},
+      {"degC", D::temperature, 1, 1, zero_C},
+      {"degF", D::temperature, 5, 9, zero_C - 160. / 9.},
+      {"1/K", D::expansion, 1, 1, 0},
+      {"um/(m K)", D::expansion, 1, 1e6, 0},
+      {"J/(kg K)", D::specific_heat, 1, 1, 0},
+      {"kJ/(kg K)", D::specific_heat, 1e3, 1, 0},
+      {"J/(g K)", D::specific_heat, 1e3, 1, 0},
+      {"W/(m K)", D::thermal_conductivity, 1, 1, 0},
+      {"W/(m2 K)", D::heat_transfer, 1, 1, 0},
+    };
 
     void
     replace_all(std::string       &text,
@@ -144,7 +140,7 @@ namespace asperity
     find_unit(const std::string &name)
     {
       const std::string plain = plain_spelling(name);
-      for (const Unit &unit : units())
+      for (const Unit &unit : units)
         if (plain == unit.name)
           return &unit;
       return nullptr;
@@ -233,7 +229,7 @@ namespace asperity
   accepted_units(const Dimension dimension)
   {
     std::vector<std::string> names;
-    for (const Unit &unit : units())
+    for (const Unit &unit : units)
       if (unit.dimension == dimension)
         names.push_back(unit.name);
     return names;
