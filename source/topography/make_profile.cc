@@ -163,6 +163,12 @@ namespace asperity
                                  micrometres(map.length_y()) + ", " +
                                  percent(map.missing_fraction()) + " missing.");
         }
+      // Holes outside the crop are of no consequence.
+      if (map.missing_fraction() > 0.2)
+        report.warnings.push_back(
+          percent(map.missing_fraction()) +
+          " of the points used are missing: crop the map to where it is "
+          "measured, or set Crop = hole-free.");
     }
 
     void

@@ -67,10 +67,6 @@ namespace asperity
           report.maximum = std::max(report.maximum, z);
         }
     check_proportions(map, report);
-    if (report.missing_fraction > 0.2)
-      report.warnings.push_back(
-        scientific(100. * report.missing_fraction) +
-        " % of the points are missing: crop the map to where it is measured.");
     if (map.ny == 1)
       report.warnings.push_back("The file holds a single profile: areal "
                                 "parameters do not apply.");

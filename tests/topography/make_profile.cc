@@ -138,6 +138,29 @@ TEST(MakeProfile, holes_are_filled_reported_and_limited)
   EXPECT_EQ(report.window.nx * report.window.ny, 196u * 120u);
 }
 
+TEST(MakeProfile, warns_of_missing_points_only_where_they_are_used)
+{
+  auto       map  = make_map(100, 40, 1e-6, 1e-6, [](double x, double y) {
+    return x < 29.5e-6 ? missing_height : 1e-6 * std::sin(3e5 * x + 2e5 * y);
+  });
+  const auto file = write_bytes("half_measured.x3p", "");
+  write_x3p(map, file);
+  const auto warned = [](const TopographyReport &report) {
+    for (const auto &warning : report.warnings)
+      if (warning.find("30 % of the points used are missing") == 0)
+        return true;
+    return false;
+  };
+  TopographyReport report;
+  make_profile(parse("set File = " + file + "\n"), report);
+  EXPECT_TRUE(warned(report));
+  EXPECT_NEAR(report.sanity.missing_fraction, 0.3, 1e-12);
+  make_profile(parse("set File = " + file + "\nset Crop = hole-free\n"),
+               report);
+  EXPECT_FALSE(warned(report));
+  EXPECT_TRUE(report.sanity.warnings.empty());
+}
+
 TEST(MakeProfile, wrong_entries_are_named)
 {
   const std::string file = "set File = " + wavy_file() + "\n";
