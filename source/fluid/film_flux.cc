@@ -17,7 +17,7 @@ namespace asperity
       Gradient result{};
       result[left_pressure] = result[right_pressure] = 0.5 * eta.d_pressure;
       result[sliding_speed] =
-        std::copysign(eta.d_rate / face.gap, face.sliding_speed);
+        (face.sliding_speed < 0. ? -1. : 1.) * eta.d_rate / face.gap;
       result[face_gap] = -eta.d_rate * rate / face.gap;
       return result;
     }
