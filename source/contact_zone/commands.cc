@@ -85,7 +85,7 @@ namespace asperity
           if (explain)
             std::cout << "      " << entry.meaning << "\n";
         }
-      std::cout << "Models: dry, "
+      std::cout << "Models: lubricant " << name(audit.lubricant) << ", "
                 << (audit.inertia == Inertia::dynamic ? "dynamic" :
                                                         "quasi-static")
                 << ", adiabatic\n";
@@ -116,7 +116,8 @@ namespace asperity
     {
       if (parameters.protocol.inertia == Inertia::automatic)
         parameters.protocol.inertia = audit.inertia;
-      audit.inertia = parameters.protocol.inertia;
+      audit.inertia   = parameters.protocol.inertia;
+      audit.lubricant = parameters.lubrication.model;
     }
 
     std::vector<std::string>

@@ -15,10 +15,14 @@ namespace asperity
       const double w   = (t - a.time) / (b.time - a.time);
       FrictionRow  row = b;
       row.time         = t;
-      row.T_x          = (1. - w) * a.T_x + w * b.T_x;
-      row.T_y          = (1. - w) * a.T_y + w * b.T_y;
-      row.contact_fraction =
-        (1. - w) * a.contact_fraction + w * b.contact_fraction;
+      for (double FrictionRow::*entry : {&FrictionRow::T_x,
+                                         &FrictionRow::T_y,
+                                         &FrictionRow::contact_fraction,
+                                         &FrictionRow::oil_pressure,
+                                         &FrictionRow::oil_T_x,
+                                         &FrictionRow::shear_T_x,
+                                         &FrictionRow::shear_T_y})
+        row.*entry = (1. - w) * a.*entry + w * b.*entry;
       return row;
     }
 
@@ -45,7 +49,8 @@ namespace asperity
     result.window_end   = std::min(end, rows.back().time);
     result.mu_end       = coefficient(rows.back().T_x, rows.back().T_y);
 
-    double x = 0., y = 0., fraction = 0., mu = 0., mu_squared = 0.;
+    FrictionRow sum;
+    double      mu = 0., mu_squared = 0.;
     for (std::size_t i = 1; i < rows.size(); ++i)
       {
         const double t0 = std::max(rows[i - 1].time, result.window_begin),
@@ -57,17 +62,25 @@ namespace asperity
         const double half   = 0.5 * (t1 - t0);
         const double mu_a   = coefficient(a.T_x, a.T_y),
                      mu_b   = coefficient(b.T_x, b.T_y);
-        x += half * (a.T_x + b.T_x);
-        y += half * (a.T_y + b.T_y);
-        fraction += half * (a.contact_fraction + b.contact_fraction);
+        sum.T_x += half * (a.T_x + b.T_x);
+        sum.T_y += half * (a.T_y + b.T_y);
+        sum.contact_fraction +=
+          half * (a.contact_fraction + b.contact_fraction);
+        sum.oil_pressure += half * (a.oil_pressure + b.oil_pressure);
+        sum.oil_T_x += half * (a.oil_T_x + b.oil_T_x);
+        sum.shear_T_x += half * (a.shear_T_x + b.shear_T_x);
+        sum.shear_T_y += half * (a.shear_T_y + b.shear_T_y);
         mu += half * (mu_a + mu_b);
         mu_squared += half * (mu_a * mu_a + mu_b * mu_b);
       }
     const double duration   = result.window_end - result.window_begin;
-    result.T_x              = x / duration;
-    result.T_y              = y / duration;
-    result.contact_fraction = fraction / duration;
-    result.mu               = coefficient(x, y);
+    result.T_x              = sum.T_x / duration;
+    result.T_y              = sum.T_y / duration;
+    result.contact_fraction = sum.contact_fraction / duration;
+    result.oil_pressure     = sum.oil_pressure / duration;
+    result.oil_T_x          = sum.oil_T_x / duration;
+    result.shear_T_x        = sum.shear_T_x / duration;
+    result.mu               = coefficient(sum.T_x, sum.T_y);
     const double mean       = mu / duration;
     result.spread =
       std::sqrt(std::max(0., mu_squared / duration - mean * mean));

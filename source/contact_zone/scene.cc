@@ -1,6 +1,7 @@
 #include <asperity/base/errors.h>
 #include <asperity/contact/curve_obstacle.h>
 #include <asperity/contact_zone/scene.h>
+#include <asperity/fluid/sealed_pocket.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -84,12 +85,15 @@ namespace asperity
       space, geometry, Edge::top, tool, options);
 
     build_boundaries();
-    equilibrium =
-      std::make_unique<Equilibrium>(n_dofs(),
-                                    std::vector<ForceTerm *>{chip.get(),
-                                                             contact.get()},
-                                    is_prescribed_,
-                                    parameters.solver.linear_solver);
+    build_lubricant(parameters);
+    std::vector<ForceTerm *> terms = {chip.get(), contact.get()};
+    if (lubricant)
+      terms.push_back(lubricant.get());
+    equilibrium = std::make_unique<Equilibrium>(
+      n_dofs(), terms, is_prescribed_, parameters.solver.linear_solver);
+    // A chip that floats on oil is held by the oil's volume alone.
+    equilibrium->set_support(2 * space->edge_functions(Edge::bottom).front() +
+                             1);
   }
 
 
@@ -146,6 +150,25 @@ namespace asperity
           bottom_load_(2 * element.functions[a] + 1) +=
             element.values[q * element.functions.size() + a] *
             bottom.JxW[element.first_point + q];
+  }
+
+
+
+  void
+  Scene::build_lubricant(const SceneParameters &parameters)
+  {
+    const LubricationParameters &lubrication = parameters.lubrication;
+    if (lubrication.model != LubricantModel::pocket)
+      return;
+    SealedPocketOptions options;
+    options.density         = lubrication.oil.compressibility;
+    options.wetting         = lubrication.wetting;
+    options.sealing_gap     = lubrication.sealing_gap;
+    options.penalty_modulus = 1e6 * parameters.load.pressure;
+    lubricant               = std::make_unique<SealedPocket>(*space,
+                                               geometry,
+                                               tool_surface.curve,
+                                               options);
   }
 
 

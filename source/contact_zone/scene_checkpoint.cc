@@ -4,55 +4,25 @@ namespace asperity
 {
   namespace
   {
-    constexpr unsigned int n_row_entries = 15;
-
     /** Rows and points as flat lists of numbers, and back. */
     std::vector<double>
     pack(const std::vector<FrictionRow> &rows)
     {
       std::vector<double> list;
       for (const FrictionRow &row : rows)
-        list.insert(list.end(),
-                    {static_cast<double>(row.step),
-                     row.time,
-                     row.sliding_distance,
-                     row.T_x,
-                     row.T_y,
-                     row.mu,
-                     row.contact_fraction,
-                     row.max_contact_pressure,
-                     row.max_plastic_strain,
-                     row.max_temperature,
-                     row.mean_gap,
-                     row.max_penetration,
-                     static_cast<double>(row.newton_iterations),
-                     static_cast<double>(row.factorisations),
-                     row.wall_time});
+        for_each_entry(row, [&](const auto entry) { list.push_back(entry); });
       return list;
     }
 
     std::vector<FrictionRow>
     unpack(const std::vector<double> &list)
     {
-      std::vector<FrictionRow> rows(list.size() / n_row_entries);
-      const double            *value = list.data();
-      for (FrictionRow &row : rows)
+      std::vector<FrictionRow> rows;
+      auto                     value = list.begin();
+      while (value != list.end())
         {
-          row.step                 = static_cast<unsigned int>(*value++);
-          row.time                 = *value++;
-          row.sliding_distance     = *value++;
-          row.T_x                  = *value++;
-          row.T_y                  = *value++;
-          row.mu                   = *value++;
-          row.contact_fraction     = *value++;
-          row.max_contact_pressure = *value++;
-          row.max_plastic_strain   = *value++;
-          row.max_temperature      = *value++;
-          row.mean_gap             = *value++;
-          row.max_penetration      = *value++;
-          row.newton_iterations    = static_cast<unsigned int>(*value++);
-          row.factorisations       = static_cast<unsigned int>(*value++);
-          row.wall_time            = *value++;
+          rows.emplace_back();
+          for_each_entry(rows.back(), [&](auto &entry) { entry = *value++; });
         }
       return rows;
     }
@@ -96,6 +66,8 @@ namespace asperity
     checkpoint.set("history", pack(scene.chip->history()));
     checkpoint.set("multipliers", scene.contact->multipliers());
     checkpoint.set("hints", scene.contact->hints());
+    if (scene.lubricant)
+      checkpoint.set("lubricant", scene.lubricant->save());
     if (const GeneralizedAlpha *dynamics = run.dynamics())
       {
         checkpoint.set("velocity", dynamics->v.begin(), dynamics->v.end());
@@ -135,6 +107,8 @@ namespace asperity
       checkpoint.doubles("multipliers", scene.contact->multipliers().size()));
     scene.contact->set_hints(
       checkpoint.doubles("hints", scene.contact->hints().size()));
+    if (scene.lubricant)
+      scene.lubricant->load(checkpoint.doubles("lubricant"));
     if (GeneralizedAlpha *dynamics = run.dynamics())
       {
         dynamics->u    = state.u;

@@ -182,6 +182,30 @@ namespace asperity
     }
 
     json
+    summarise_oil(const SlidingRun      &run,
+                  const Scene           &scene,
+                  const SceneParameters &parameters)
+    {
+      const FrictionResult friction = run.friction();
+      const FrictionRow   &last     = run.state().rows.back();
+      json                 summary;
+      summary["wetting"]  = parameters.lubrication.wetting;
+      summary["pressure"] = friction.oil_pressure;
+      summary["load_share"] =
+        friction.oil_pressure * scene.length / std::abs(friction.T_y);
+      summary["T_x_pressure"]        = friction.oil_T_x;
+      summary["T_x_shear"]           = friction.shear_T_x;
+      summary["reference_volume"]    = last.oil_reference_volume;
+      summary["end"]["pressure"]     = last.oil_pressure;
+      summary["end"]["max_pressure"] = last.max_oil_pressure;
+      summary["end"]["void_volume"]  = last.void_volume;
+      summary["end"]["oil_volume"]   = last.oil_volume;
+      summary["end"]["pockets"]      = last.pockets;
+      summary["events"]              = scene.lubricant->events();
+      return summary;
+    }
+
+    json
     summarise_cost(const SlidingRun &run,
                    const Scene      &scene,
                    const double      output_seconds,
@@ -221,22 +245,24 @@ namespace asperity
     summary["program"]          = version_json();
     summary["friction"]         = summarise_friction(run, parameters);
     summary["contact_fraction"] = run.friction().contact_fraction;
-    const FrictionRow &last     = run.state().rows.back();
-    summary["end"]              = {{"time", last.time},
-                                   {"sliding_distance", last.sliding_distance},
-                                   {"max_contact_pressure", last.max_contact_pressure},
-                                   {"max_plastic_strain", last.max_plastic_strain},
-                                   {"max_temperature", last.max_temperature},
-                                   {"max_penetration", last.max_penetration}};
-    summary["load"]             = {{"pressure", parameters.load.pressure},
-                                   {"velocity", parameters.load.velocity},
-                                   {"temperature", parameters.load.temperature},
-                                   {"plastic_strain", parameters.load.plastic_strain}};
-    summary["models"]           = {
-                {"lubricant", "none"},
-                {"inertia", run.dynamics() == nullptr ? "quasi-static" : "dynamic"},
-                {"heat", "adiabatic"},
-                {"material", scene.law->name()}};
+    if (scene.lubricant)
+      summary["oil"] = summarise_oil(run, scene, parameters);
+    const FrictionRow &last = run.state().rows.back();
+    summary["end"]          = {{"time", last.time},
+                               {"sliding_distance", last.sliding_distance},
+                               {"max_contact_pressure", last.max_contact_pressure},
+                               {"max_plastic_strain", last.max_plastic_strain},
+                               {"max_temperature", last.max_temperature},
+                               {"max_penetration", last.max_penetration}};
+    summary["load"]         = {{"pressure", parameters.load.pressure},
+                               {"velocity", parameters.load.velocity},
+                               {"temperature", parameters.load.temperature},
+                               {"plastic_strain", parameters.load.plastic_strain}};
+    summary["models"]       = {
+            {"lubricant", name(parameters.lubrication.model)},
+            {"inertia", run.dynamics() == nullptr ? "quasi-static" : "dynamic"},
+            {"heat", "adiabatic"},
+            {"material", scene.law->name()}};
     summary["mesh"]     = {{"degree", scene.space->degree()},
                            {"cells", scene.space->n_cells()},
                            {"unknowns", scene.n_dofs()},

@@ -221,6 +221,7 @@ namespace asperity
     load.declare(parameters);
     protocol.declare(parameters);
     contact.declare(parameters);
+    lubrication.declare(parameters);
     solver.declare(parameters);
     output.declare(parameters);
   }
@@ -232,6 +233,7 @@ namespace asperity
   {
     tool.check(parameters, "Tool");
     chip.check(parameters, "Chip surface");
+    lubrication.check(parameters);
     if (geometry.initial_gap < 0.)
       throw InputError(parameters.where("Geometry/Initial gap") + ": found " +
                        format_quantity(geometry.initial_gap, "um") +

@@ -94,14 +94,26 @@ namespace asperity
   bool
   SlidingRun::try_step(const double dt, std::string &reason)
   {
-    const std::vector<double> multipliers = scene.contact->multipliers();
+    const std::vector<double> multipliers     = scene.contact->multipliers();
+    const auto                begin_lubricant = [&]() {
+      if (scene.lubricant)
+        scene.lubricant->begin_step(state_.u,
+                                    state_.step + 1,
+                                    state_.time + dt,
+                                    dt);
+    };
+    begin_lubricant();
     scene.chip->set_time_step(dt);
     Vector load = scene.bottom_load();
     load *= protocol_.pressure(state_.time + dt);
     scene.equilibrium->set_load(load);
     set_inertia(dt);
-    for (Vector &u : predictors(dt))
+    for (const Predictor &predict : predictors(dt))
       {
+        Vector u = predict();
+        for (unsigned int i = 0; i < u.size(); ++i)
+          if (scene.is_prescribed()[i])
+            u(i) = protocol_.displacement(state_.time + dt);
         const ConvergenceReport report = solve(u);
         if (report.converged)
           {
@@ -110,6 +122,7 @@ namespace asperity
           }
         reason = report.reason;
         scene.contact->set_multipliers(multipliers);
+        begin_lubricant();
       }
     return false;
   }
@@ -119,67 +132,101 @@ namespace asperity
   ConvergenceReport
   SlidingRun::solve(Vector &u)
   {
+    // A pass of the augmented-Lagrange loop or of the exchange with the
+    // lubricant asks for the chip's balance again.
     NewtonOptions options;
     options.maximum_iterations = parameters.solver.maximum_iterations;
     options.tolerance =
       parameters.solver.tolerance * parameters.load.pressure * scene.length;
-    ConvergenceReport report =
-      newton(*scene.equilibrium, u, options, statistics);
-    for (unsigned int k = 0;
-         k < parameters.contact.augmentations && report.converged &&
-         scene.contact->state().constraint_violation >
-           parameters.contact.penetration_tolerance;
-         ++k)
+    for (unsigned int augmentations = 0;;)
       {
-        scene.contact->augment();
-        report = newton(*scene.equilibrium, u, options, statistics);
+        ConvergenceReport report =
+          newton(*scene.equilibrium, u, options, statistics);
+        if (!report.converged)
+          return report;
+        const Lubricant::Exchange exchange = scene.lubricant ?
+                                               scene.lubricant->exchange(u) :
+                                               Lubricant::Exchange::converged;
+        if (exchange == Lubricant::Exchange::failed)
+          {
+            report.converged = false;
+            report.reason    = scene.lubricant->reason();
+            return report;
+          }
+        const bool penetrates =
+          augmentations < parameters.contact.augmentations &&
+          scene.contact->state().constraint_violation >
+            parameters.contact.penetration_tolerance;
+        if (penetrates)
+          {
+            scene.contact->augment();
+            ++augmentations;
+          }
+        else if (exchange == Lubricant::Exchange::converged)
+          return report;
       }
-    return report;
   }
 
 
 
-  std::vector<Vector>
+  std::vector<SlidingRun::Predictor>
   SlidingRun::predictors(const double dt) const
   {
-    const double        x  = protocol_.displacement(state_.time + dt);
-    const double        dx = x - protocol_.displacement(state_.time);
-    std::vector<Vector> list;
+    const double x  = protocol_.displacement(state_.time + dt);
+    const double dx = x - protocol_.displacement(state_.time);
+
+    const auto extrapolation = [this, dt]() {
+      Vector u = state_.u;
+      u.sadd(1. + dt / state_.dt_previous,
+             -dt / state_.dt_previous,
+             state_.u_previous);
+      return u;
+    };
+    const auto translation = [this, dx]() {
+      Vector u = state_.u;
+      u += scene.translation(dx, 0.);
+      return u;
+    };
+    // In touch, at the start and should the contact be lost where nothing else
+    // carries.
+    const auto touch = [this, dt, translation]() {
+      Vector       u = translation();
+      const double shift =
+        touching_shift(u, protocol_.pressure(state_.time + dt));
+      u += scene.translation(0., shift);
+      return u;
+    };
+
+    std::vector<Predictor> list;
     if (state_.step > 1)
-      {
-        Vector u = state_.u;
-        u.sadd(1. + dt / state_.dt_previous,
-               -dt / state_.dt_previous,
-               state_.u_previous);
-        list.push_back(u);
-      }
+      list.push_back(extrapolation);
     if (dynamics_)
-      list.push_back(dynamics_->predict(dt));
-    else if (state_.step == 0)
-      list.push_back(scene.translation(
-        x, touching_shift(protocol_.pressure(state_.time + dt), x)));
+      list.push_back([this, dt]() { return dynamics_->predict(dt); });
     if (state_.step > 0)
-      {
-        Vector u = state_.u;
-        u += scene.translation(dx, 0.);
-        list.push_back(u);
-      }
-    for (Vector &u : list)
-      for (unsigned int i = 0; i < u.size(); ++i)
-        if (scene.is_prescribed()[i])
-          u(i) = x;
+      list.push_back(translation);
+    if (!dynamics_)
+      list.push_back(touch);
     return list;
   }
 
 
 
   double
-  SlidingRun::touching_shift(const double pressure, const double x) const
+  SlidingRun::touching_shift(const Vector &u, const double pressure) const
   {
     Vector     residual(scene.n_dofs());
     const auto supports = [&](const double shift) {
-      scene.contact->add(scene.translation(x, shift), residual, nullptr);
-      return -scene.contact->state().force[1] >= pressure * scene.length;
+      Vector shifted = u;
+      shifted += scene.translation(0., shift);
+      scene.contact->add(shifted, residual, nullptr);
+      double force = -scene.contact->state().force[1];
+      if (scene.lubricant)
+        {
+          if (!scene.lubricant->add(shifted, residual, nullptr))
+            return true;
+          force -= scene.lubricant->state().pressure_force[1];
+        }
+      return force >= pressure * scene.length;
     };
     double low = 0., high = 1e-3 * scene.length;
     while (!supports(high) && high < 1e3 * scene.length)
@@ -220,6 +267,8 @@ namespace asperity
         dynamics_->advance(u, dt);
       }
     scene.chip->accept();
+    if (scene.lubricant)
+      scene.lubricant->accept(u);
     state_.u_previous  = state_.u;
     state_.dt_previous = dt;
     state_.u           = u;
@@ -238,11 +287,13 @@ namespace asperity
   {
     const ContactState contact = scene.contact->state();
     FrictionRow        row;
-    row.step                 = state_.step;
-    row.time                 = state_.time;
-    row.sliding_distance     = protocol_.displacement(state_.time);
-    row.T_x                  = contact.force[0];
-    row.T_y                  = contact.force[1];
+    row.step             = state_.step;
+    row.time             = state_.time;
+    row.sliding_distance = protocol_.displacement(state_.time);
+    row.T_x              = contact.force[0];
+    row.T_y              = contact.force[1];
+    if (scene.lubricant)
+      record_lubricant(row);
     row.mu                   = row.T_y != 0. ? std::abs(row.T_x / row.T_y) : 0.;
     row.contact_fraction     = contact.contact_fraction;
     row.max_contact_pressure = contact.max_pressure;
@@ -265,6 +316,27 @@ namespace asperity
     recorded_factorisations = factorisations;
     row.wall_time           = seconds;
     state_.rows.push_back(row);
+  }
+
+
+
+  void
+  SlidingRun::record_lubricant(FrictionRow &row) const
+  {
+    const LubricantState       oil   = scene.lubricant->state();
+    const dealii::Tensor<1, 2> force = oil.pressure_force + oil.shear_force;
+    row.T_x += force[0];
+    row.T_y += force[1];
+    row.oil_pressure         = oil.mean_pressure;
+    row.max_oil_pressure     = oil.max_pressure;
+    row.oil_T_x              = oil.pressure_force[0];
+    row.shear_T_x            = oil.shear_force[0];
+    row.shear_T_y            = oil.shear_force[1];
+    row.void_volume          = oil.void_volume;
+    row.oil_volume           = oil.oil_volume;
+    row.oil_reference_volume = oil.reference_volume;
+    row.pockets              = oil.n_pockets;
+    row.coupling_iterations  = oil.coupling_iterations;
   }
 
 

@@ -16,6 +16,7 @@ namespace asperity
                          const SplineCurve   &tool)
     : tool(tool)
     , length(tool.period()[0])
+    , n_dofs_(2 * space.n_functions())
     , table(tabulate_edge(space,
                           geometry,
                           Edge::top,
@@ -41,7 +42,7 @@ namespace asperity
                  tool.value(piece.begin + width * gauss.point(q)[0])[1];
         tool_cumulative.push_back(tool_cumulative.back() + width * sum);
       }
-    measure(Vector(2 * space.n_functions()));
+    measure(Vector(n_dofs_));
   }
 
 
@@ -50,6 +51,44 @@ namespace asperity
   VoidVolume::n_elements() const
   {
     return table.elements.size();
+  }
+
+
+
+  unsigned int
+  VoidVolume::n_dofs() const
+  {
+    return n_dofs_;
+  }
+
+
+
+  double
+  VoidVolume::parameter(const unsigned int element) const
+  {
+    return ends.parameter[ends.elements[element].first_point][0];
+  }
+
+
+
+  VoidVolume::Stretch
+  VoidVolume::stretch(const double begin, const double end) const
+  {
+    // The element that starts nearest to s in [0, L].
+    const auto nearest = [&](const double s) {
+      unsigned int low = 0, high = n_elements();
+      while (high - low > 1)
+        {
+          const unsigned int middle             = (low + high) / 2;
+          (parameter(middle) <= s ? low : high) = middle;
+        }
+      const double next = high < n_elements() ? parameter(high) : length;
+      return s - parameter(low) <= next - s ? low : high;
+    };
+    const unsigned int first = nearest(begin);
+    const unsigned int last =
+      end <= length ? nearest(end) : n_elements() + nearest(end - length);
+    return {first % n_elements(), last - first};
   }
 
 
@@ -66,7 +105,7 @@ namespace asperity
   VoidVolume::measure(const Vector &u)
   {
     point = table.position;
-    stretch.resize(point.size());
+    tangent.resize(point.size());
     node.resize(n_elements());
     for (const auto &element : table.elements)
       for (unsigned int q = 0; q < table.points_per_element; ++q)
@@ -74,14 +113,14 @@ namespace asperity
           const unsigned int n = element.functions.size();
           const unsigned int i = element.first_point + q;
           // Before deformation the unit tangent: the normal turned clockwise.
-          stretch[i][0] = table.normal[i][1];
-          stretch[i][1] = -table.normal[i][0];
+          tangent[i][0] = table.normal[i][1];
+          tangent[i][1] = -table.normal[i][0];
           for (unsigned int a = 0; a < n; ++a)
             for (unsigned int c = 0; c < 2; ++c)
               {
                 const double ua = u(2 * element.functions[a] + c);
                 point[i][c] += element.values[q * n + a] * ua;
-                stretch[i][c] += element.gradients[q * n + a][0] * ua;
+                tangent[i][c] += element.gradients[q * n + a][0] * ua;
               }
         }
     for (unsigned int e = 0; e < n_elements(); ++e)
@@ -159,7 +198,7 @@ namespace asperity
         for (unsigned int q = 0; q < table.points_per_element; ++q)
           {
             const unsigned int i = element.first_point + q;
-            below_chip += table.JxW[i] * point[i][1] * stretch[i][0];
+            below_chip += table.JxW[i] * point[i][1] * tangent[i][0];
           }
       }
     if (is_closed(s))
@@ -188,7 +227,7 @@ namespace asperity
               {
                 const unsigned int dof = 2 * element.functions[a];
                 g(dof) -= w * point[i][1] * element.gradients[q * n + a][0];
-                g(dof + 1) -= w * stretch[i][0] * element.values[q * n + a];
+                g(dof + 1) -= w * tangent[i][0] * element.values[q * n + a];
               }
           }
       }

@@ -19,6 +19,18 @@ namespace asperity
               {"max temperature [K]", "max temperature [degC]", 1., -273.15},
               {"mean gap [m]", "mean gap [um]", 1e6},
               {"max penetration [m]", "max penetration [um]", 1e6},
+              {"oil pressure [Pa]", "oil pressure [MPa]", 1e-6},
+              {"max oil pressure [Pa]", "max oil pressure [MPa]", 1e-6},
+              {"oil T_x [N/m]", "oil T_x [N/mm]", 1e-3},
+              {"shear T_x [N/m]", "shear T_x [N/mm]", 1e-3},
+              {"shear T_y [N/m]", "shear T_y [N/mm]", 1e-3},
+              {"void volume [m^2]", "void volume [um^2]", 1e12},
+              {"oil volume [m^2]", "oil volume [um^2]", 1e12},
+              {"oil reference volume [m^2]",
+               "oil reference volume [um^2]",
+               1e12},
+              {"pockets [-]", "pockets [-]"},
+              {"coupling iterations [-]", "coupling iterations [-]"},
               {"newton iterations [-]", "newton iterations [-]"},
               {"factorisations [-]", "factorisations [-]"},
               {"wall time [s]", "wall time [s]"}};
@@ -52,20 +64,8 @@ namespace asperity
   void
   FrictionTable::append(const FrictionRow &row)
   {
-    table.append({static_cast<double>(row.step),
-                  row.time,
-                  row.sliding_distance,
-                  row.T_x,
-                  row.T_y,
-                  row.mu,
-                  row.contact_fraction,
-                  row.max_contact_pressure,
-                  row.max_plastic_strain,
-                  row.max_temperature,
-                  row.mean_gap,
-                  row.max_penetration,
-                  static_cast<double>(row.newton_iterations),
-                  static_cast<double>(row.factorisations),
-                  row.wall_time});
+    std::vector<double> values;
+    for_each_entry(row, [&](const auto entry) { values.push_back(entry); });
+    table.append(values);
   }
 } // namespace asperity

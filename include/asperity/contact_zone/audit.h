@@ -21,7 +21,8 @@ namespace asperity
   {
     std::vector<AuditEntry>  entries;
     std::vector<std::string> warnings;
-    Inertia                  inertia = Inertia::quasi_static;
+    Inertia                  inertia   = Inertia::quasi_static;
+    LubricantModel           lubricant = LubricantModel::none;
   };
 
   /** Reads the numbers off the parameters and the built scene. */

@@ -24,6 +24,12 @@ namespace asperity
     double window_begin = 0., window_end = 0.; ///< [s]
     double T_x = 0., T_y = 0.;                 ///< means [N/m]
     double contact_fraction = 0.;              ///< mean
+
+    /** Means of the oil's part: vertical pressure [Pa], lateral forces by
+     *  pressure and by shear [N/m]. */
+    double oil_pressure = 0.;
+    double oil_T_x      = 0.;
+    double shear_T_x    = 0.;
   };
 
   /** Rows must be in order of time and hold at least one row after `begin`;

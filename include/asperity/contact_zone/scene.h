@@ -4,6 +4,7 @@
 #include <asperity/contact/contact_assembler.h>
 #include <asperity/contact_zone/scene_parameters.h>
 #include <asperity/contact_zone/surface.h>
+#include <asperity/fluid/lubricant.h>
 #include <asperity/solid/equilibrium.h>
 #include <asperity/solid/solid_assembler.h>
 
@@ -59,6 +60,7 @@ namespace asperity
     std::shared_ptr<RigidObstacle>     tool;
     std::unique_ptr<SolidAssembler>    chip;
     std::unique_ptr<ContactAssembler>  contact;
+    std::unique_ptr<Lubricant>         lubricant; ///< null: dry
     std::unique_ptr<Equilibrium>       equilibrium;
 
   private:
@@ -67,6 +69,9 @@ namespace asperity
 
     void
     build_boundaries();
+
+    void
+    build_lubricant(const SceneParameters &parameters);
 
     dealii::Vector<double> bottom_load_;
     std::vector<bool>      is_prescribed_;

@@ -4,6 +4,7 @@
 #include <asperity/base/parameters.h>
 #include <asperity/constitutive/material_parameters.h>
 #include <asperity/contact/contact_assembler.h>
+#include <asperity/contact_zone/lubrication_parameters.h>
 #include <asperity/solvers/direct_solver.h>
 #include <asperity/topography/topography_parameters.h>
 
@@ -154,15 +155,16 @@ namespace asperity
   /** Everything that a parameter file of a contact scene says. */
   struct SceneParameters
   {
-    GeometryParameters geometry;
-    SurfaceParameters  tool, chip;
-    MeshParameters     mesh;
-    MaterialParameters material;
-    LoadParameters     load;
-    ProtocolParameters protocol;
-    ContactParameters  contact;
-    SolverParameters   solver;
-    OutputParameters   output;
+    GeometryParameters    geometry;
+    SurfaceParameters     tool, chip;
+    MeshParameters        mesh;
+    MaterialParameters    material;
+    LoadParameters        load;
+    ProtocolParameters    protocol;
+    ContactParameters     contact;
+    LubricationParameters lubrication;
+    SolverParameters      solver;
+    OutputParameters      output;
 
     SceneParameters();
 

@@ -88,13 +88,18 @@ namespace asperity
     ConvergenceReport
     solve(dealii::Vector<double> &u);
 
-    std::vector<dealii::Vector<double>>
+    /** A first guess at the displacement of the next step. */
+    using Predictor = std::function<dealii::Vector<double>()>;
+
+    /** In the order in which they are tried. */
+    std::vector<Predictor>
     predictors(const double dt) const;
 
-    /** Rigid shift in y that balances the load p by penalty forces alone [m].
-     */
+    /** Rigid shift in y from u at which contact and oil balance the load p,
+     *  were the chip rigid [m]; not negative. */
     double
-    touching_shift(const double pressure, const double x) const;
+    touching_shift(const dealii::Vector<double> &u,
+                   const double                  pressure) const;
 
     void
     set_inertia(const double dt);
@@ -104,6 +109,9 @@ namespace asperity
 
     void
     record(const double seconds);
+
+    void
+    record_lubricant(FrictionRow &row) const;
 
     const SceneParameters &parameters;
     Scene                 &scene;

@@ -28,13 +28,6 @@ namespace asperity
     unsigned int coupling_iterations = 0;
   };
 
-  /** Something that happened to a pocket: "A splits into A and B". */
-  struct LubricantEvent
-  {
-    unsigned int step = 0;
-    std::string  text;
-  };
-
   /**
    * A rung of the lubricant ladder as the coupled step sees it. It is a force
    * term of the chip, so that Newton's method of the solid sees its pressure
@@ -52,10 +45,12 @@ namespace asperity
       failed  ///< the step must be cut; reason() says why
     };
 
-    /** Before the iterations of a step of dt [s] that ends at `time` [s]; u is
-     *  the last accepted displacement. */
+    /** Before the iterations of step `step`, which lasts dt and ends at `time`
+     *  [s]; u is the last accepted displacement. A step that is cut begins
+     *  again. */
     virtual void
     begin_step(const dealii::Vector<double> &u,
+               const unsigned int            step,
                const double                  time,
                const double                  dt)
     {}
@@ -76,17 +71,15 @@ namespace asperity
 
     /** The step is accepted with u. */
     virtual void
-    accept(const dealii::Vector<double> &u, const unsigned int step) = 0;
+    accept(const dealii::Vector<double> &u) = 0;
 
-    /** The step is given up: back to the last accepted state. */
-    virtual void
-    reject()
-    {}
-
+    /** At the last evaluated displacement. */
     virtual LubricantState
     state() const = 0;
 
-    virtual std::vector<LubricantEvent>
+    /** What happened to the pockets so far, as "step 12: pocket B has become
+     *  part of A". */
+    virtual std::vector<std::string>
     events() const
     {
       return {};

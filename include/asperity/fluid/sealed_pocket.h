@@ -3,6 +3,7 @@
 
 #include <asperity/constitutive/lubricant_density.h>
 #include <asperity/fluid/lubricant.h>
+#include <asperity/fluid/pocket_tracker.h>
 #include <asperity/fluid/void_volume.h>
 
 #include <memory>
@@ -20,12 +21,14 @@ namespace asperity
      *  share one pressure. */
     double sealing_gap = 0.;
 
-    /** Stiffness of the incompressible law's first guess, dp/d ln V [Pa];
+    /** Stiffness of the incompressible law's first guess, -dp/d ln V [Pa];
      *  exchange() then tightens until the volume is met. */
-    double penalty_modulus = 2e14;
+    double penalty_modulus = 3e14;
 
-    /** |V - V_oil| / V_oil at which an incompressible pocket is accepted. */
-    double volume_tolerance = 1e-10;
+    /** |V - V_oil| / V_oil at which an incompressible pocket is accepted. Times
+     *  the penalty modulus it must be above what the solid's own tolerance
+     *  leaves of the pressure. */
+    double volume_tolerance = 1e-9;
   };
 
   /**
@@ -43,6 +46,12 @@ namespace asperity
    *   R = - p dV/du,   K = - p d^2V/du^2 - dp/dV (dV/du)(dV/du)^T.
    *
    * The second part of K couples a whole edge and is given as rank-one term.
+   *
+   * With a sealing gap, each void between two seals is a pocket of its own.
+   * Where they begin and end is decided at the end of each step, at the starts
+   * of elements of the edge, and the oil of a pocket goes with its name (see
+   * PocketTracker). Forces on both sides of a seal then differ by the pressure
+   * difference times the gap of the seal, which acts on the oil in it.
    */
   class SealedPocket : public Lubricant
   {
@@ -64,17 +73,27 @@ namespace asperity
     std::vector<RankOneTerm>
     rank_one_terms() const override;
 
+    /** Finds the pockets at the start of the step. */
+    void
+    begin_step(const dealii::Vector<double> &u,
+               const unsigned int            step,
+               const double                  time,
+               const double                  dt) override;
+
     Exchange
     exchange(const dealii::Vector<double> &u) override;
 
-    void
-    accept(const dealii::Vector<double> &u, const unsigned int step) override;
+    std::string
+    reason() const override;
 
     void
-    reject() override;
+    accept(const dealii::Vector<double> &u) override;
 
     LubricantState
     state() const override;
+
+    std::vector<std::string>
+    events() const override;
 
     std::vector<double>
     save() const override;
@@ -83,26 +102,43 @@ namespace asperity
     load(const std::vector<double> &data) override;
 
   private:
-    struct Pocket
+    /** One pressure, on a stretch of the edge. */
+    struct Enclosure
     {
-      VoidVolume::Stretch    stretch;
-      double                 reference_volume = 0.; ///< V_r [m^2]
-      double                 volume           = 0.; ///< V [m^2]
-      double                 pressure         = 0.; ///< [Pa]
-      double                 stiffness        = 0.; ///< -dp/dV [Pa/m^2]
-      double                 multiplier       = 0.; ///< incompressible [Pa]
-      dealii::Vector<double> gradient;              ///< dV/du [m]
+      VoidVolume::Stretch stretch;
+      double              reference_volume = 0.; ///< V_r [m^2]
+      double              volume           = 0.; ///< V [m^2]
+      double              pressure         = 0.; ///< [Pa]
+      double              stiffness        = 0.; ///< -dp/dV [Pa/m^2]
+      double              multiplier = 0.; ///< of the incompressible law [Pa]
+      dealii::Vector<double> gradient;     ///< dV/du [m]
     };
 
     /** Pressure and stiffness at the pocket's volume; false if none exists. */
     bool
-    set_pressure(Pocket &pocket) const;
+    set_pressure(Enclosure &pocket) const;
 
-    SealedPocketOptions options;
-    VoidVolume          void_volume;
-    double              length; ///< period [m]
-    std::vector<Pocket> pockets;
-    std::vector<double> accepted_multipliers;
+    /** Finds the pockets at the measured displacement; the oil follows. */
+    void
+    track();
+
+    /** The tracker's pockets as enclosures. */
+    void
+    enclose();
+
+    SealedPocketOptions    options;
+    VoidVolume             void_volume;
+    double                 length;  ///< period [m]
+    PocketTracker          tracker; ///< masses over rho_0, so areas [m^2]
+    std::vector<Enclosure> pockets; ///< in the tracker's order
+
+    /** As the last accepted step left them; pressures in its order. */
+    PocketTracker       accepted_tracker;
+    std::vector<double> accepted_pressures;
+    unsigned int        step_     = 0;
+    unsigned int        n_passes_ = 0; ///< of exchange() in this step
+
+    std::vector<std::string> events_;
   };
 } // namespace asperity
 

@@ -48,6 +48,18 @@ namespace asperity
     unsigned int
     n_elements() const;
 
+    unsigned int
+    n_dofs() const;
+
+    /** Parameter of the edge at the start of an element, in [0, L) [m]. */
+    double
+    parameter(const unsigned int element) const;
+
+    /** The elements between two parameters, 0 <= begin < L, end <= begin + L,
+     *  both rounded to starts of elements. */
+    Stretch
+    stretch(const double begin, const double end) const;
+
     /** The whole period. */
     Stretch
     period() const;
@@ -97,7 +109,8 @@ namespace asperity
     end_of(const Stretch &stretch) const;
 
     SplineCurve         tool;
-    double              length;          ///< period L [m]
+    double              length; ///< period L [m]
+    unsigned int        n_dofs_;
     std::vector<double> tool_knots;      ///< breakpoints over one period [m]
     std::vector<double> tool_cumulative; ///< int of Y up to each [m^2]
 
@@ -105,7 +118,7 @@ namespace asperity
     BasisTable ends;  ///< two points an element: its start and end
 
     std::vector<dealii::Point<2>>     point;   ///< current Gauss points
-    std::vector<dealii::Tensor<1, 2>> stretch; ///< dx/dS there
+    std::vector<dealii::Tensor<1, 2>> tangent; ///< dx/dS there
     std::vector<dealii::Point<2>>     node;    ///< current starts of elements
   };
 } // namespace asperity
