@@ -33,7 +33,7 @@ namespace asperity
       advance(Vector &u, Vector &R, const Vector &d)
       {
         const double s0   = R * d;
-        const double norm = R.l2_norm();
+        const double norm = system.norm(R);
         const Vector u0   = u;
         double       a = 1., low = 0., high = 1., s_low = s0, s_high = 0.;
         bool         bracketed = false;
@@ -57,16 +57,19 @@ namespace asperity
                 continue;
               }
             const double s = R * d;
-            if (acceptable(s, s0, R.l2_norm(), norm))
+            if (acceptable(s, s0, system.norm(R), norm))
               {
-                if (!with_tangent && R.l2_norm() > options.tolerance)
+                if (!with_tangent && system.norm(R) > options.tolerance)
                   {
                     ++statistics.linearizations;
                     return system.linearize(u, R);
                   }
                 return true;
               }
-            a = next(a, s, s0, low, high, s_low, s_high, bracketed);
+            if (options.merit == NewtonMerit::residual_norm)
+              a *= 0.5;
+            else
+              a = next(a, s, s0, low, high, s_low, s_high, bracketed);
           }
         return false;
       }
@@ -82,7 +85,7 @@ namespace asperity
           return true;
         // An indefinite tangent can give a direction that climbs in energy;
         // then only the residual can judge.
-        if (s0 >= 0.)
+        if (s0 >= 0. || options.merit == NewtonMerit::residual_norm)
           return norm < norm0;
         return std::abs(s) <= options.line_search_tolerance * std::abs(s0);
       }
@@ -141,7 +144,7 @@ namespace asperity
     LineSearch line_search(system, options, statistics);
     for (;; ++report.iterations)
       {
-        report.residual = R.l2_norm();
+        report.residual = system.norm(R);
         if (!std::isfinite(report.residual))
           {
             report.reason = "the residual is not finite";

@@ -26,13 +26,30 @@ namespace asperity
      *  @return false if the tangent is singular. */
     virtual bool
     direction(const dealii::Vector<double> &R, dealii::Vector<double> &d) = 0;
+
+    /** The measure of a residual that convergence is judged by: the Euclidean
+     *  norm, unless the components of R differ in unit. */
+    virtual double
+    norm(const dealii::Vector<double> &R) const
+    {
+      return R.l2_norm();
+    }
+  };
+
+  /** What a step along Newton's direction has to make smaller. */
+  enum class NewtonMerit
+  {
+    energy,       ///< the directional derivative |R.d|: symmetric tangents
+    residual_norm ///< the norm: flows, whose tangent belongs to no energy
   };
 
   struct NewtonOptions
   {
-    /** Euclidean norm of the residual, in the unit of the residual. */
+    /** Norm of the residual, see NonlinearSystem::norm(). */
     double       tolerance          = 1e-8;
     unsigned int maximum_iterations = 25;
+
+    NewtonMerit merit = NewtonMerit::energy;
 
     /** A step is accepted if |R(u + a d).d| <= this times |R(u).d|. */
     double       line_search_tolerance = 0.8;
@@ -51,10 +68,11 @@ namespace asperity
    * Newton's method with a line search on the directional derivative of the
    * energy, s(a) = R(u + a d).d (M. A. Crisfield, Non-linear Finite Element
    * Analysis of Solids and Structures, vol. 1, sec. 9.4; regula falsi), not on
-   * the residual norm, which stalls where contact opens and closes.
+   * the residual norm, which stalls where contact opens and closes. With
+   * NewtonMerit::residual_norm the step is halved until the norm falls.
    *
    * On failure u is the last iterate; the caller keeps the state to go back to.
-   * report.residual is the Euclidean norm.
+   * report.residual is the norm of the system.
    */
   ConvergenceReport
   newton(NonlinearSystem        &system,

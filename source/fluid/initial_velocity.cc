@@ -1,0 +1,124 @@
+#include <asperity/fluid/navier_stokes.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/lac/full_matrix.h>
+
+#include <cmath>
+
+// The projection of the initial velocity onto discretely solenoidal ones.
+namespace asperity
+{
+  namespace
+  {
+    using Vector = dealii::Vector<double>;
+
+    const dealii::FEValuesExtractors::Vector velocity_field(0);
+    const dealii::FEValuesExtractors::Scalar pressure_field(2);
+
+    /** int v.w - int phi div w - int q div v */
+    void
+    assemble_saddle_point(const FluidSpace                        &space,
+                          const dealii::Mapping<2>                &mapping,
+                          const dealii::AffineConstraints<double> &constraints,
+                          dealii::SparseMatrix<double>            &matrix)
+    {
+      const auto                                  &fe = space.dofs().get_fe();
+      const unsigned int                           n  = fe.n_dofs_per_cell();
+      const dealii::QGauss<2>                      quadrature(fe.degree + 1);
+      dealii::FEValues<2>                          values(mapping,
+                                 fe,
+                                 quadrature,
+                                 dealii::update_values |
+                                   dealii::update_gradients |
+                                   dealii::update_JxW_values);
+      dealii::FullMatrix<double>                   K(n, n);
+      std::vector<dealii::types::global_dof_index> dofs(n);
+      matrix = 0.;
+      for (const auto &cell : space.dofs().active_cell_iterators())
+        {
+          values.reinit(cell);
+          const auto &v = values[velocity_field];
+          const auto &p = values[pressure_field];
+          K             = 0.;
+          for (const unsigned int q : values.quadrature_point_indices())
+            for (unsigned int i = 0; i < n; ++i)
+              for (unsigned int j = 0; j < n; ++j)
+                K(i, j) += (v.value(i, q) * v.value(j, q) -
+                            p.value(j, q) * v.divergence(i, q) -
+                            p.value(i, q) * v.divergence(j, q)) *
+                           values.JxW(q);
+          cell->get_dof_indices(dofs);
+          constraints.distribute_local_to_global(K, dofs, matrix);
+        }
+    }
+  } // namespace
+
+
+
+  ConvergenceReport
+  NavierStokes::project_initial_velocity()
+  {
+    // -epsilon |phi|^2 makes the system regular whatever the pair of elements;
+    // a few repetitions from the last phi remove its influence.
+    constexpr double       epsilon             = 1e-7;
+    constexpr double       tolerance           = 1e-13;
+    constexpr unsigned int maximum_repetitions = 20;
+
+    ConvergenceReport report;
+    report.reason = prepare();
+    if (!report.reason.empty())
+      return report;
+    dealii::SparseMatrix<double> saddle_point(pattern);
+    // The equations themselves, and those without the prescribed unknowns.
+    assemble_saddle_point(space_, mapping(), space_.topology(), saddle_point);
+    assemble_saddle_point(space_, mapping(), constraints, matrix);
+    const unsigned int n_velocity = space_.n_velocity_dofs();
+    for (unsigned int i = n_velocity; i < u.size(); ++i)
+      if (!space_.topology().is_constrained(i))
+        matrix.add(i, i, -epsilon);
+    if (!solver->factorize(matrix))
+      {
+        report.reason = "the projection of the initial velocity is singular";
+        return report;
+      }
+
+    Vector x(u), start(u), R(u.size());
+    // One velocity everywhere would have a residual of about this size.
+    const double size = u.linfty_norm() * std::sqrt(volume());
+    for (unsigned int i = n_velocity; i < u.size(); ++i)
+      x(i) = start(i) = 0.;
+    for (; report.iterations < maximum_repetitions; ++report.iterations)
+      {
+        Vector difference(x);
+        difference -= start; // M (v - v_0) - B^T phi, and - B v
+        saddle_point.vmult(R, difference);
+        Vector divergence(u.size());
+        saddle_point.vmult(divergence, start);
+        double squares = 0.;
+        for (unsigned int i = n_velocity; i < u.size(); ++i)
+          {
+            R(i) += divergence(i) + source(i);
+            squares += R(i) * R(i);
+          }
+        for (const auto &line : constraints.get_lines())
+          R(line.index) = 0.;
+        report.residual = std::sqrt(squares);
+        if (report.iterations > 0 && report.residual <= tolerance * size)
+          {
+            report.converged = true;
+            break;
+          }
+        R *= -1.;
+        solver->solve(R);
+        constraints.distribute(R);
+        x += R;
+      }
+    if (!report.converged)
+      report.reason = "the projection of the initial velocity did not converge";
+    for (unsigned int i = 0; i < n_velocity; ++i)
+      u(i) = x(i);
+    u_old = u;
+    return report;
+  }
+} // namespace asperity

@@ -1,0 +1,276 @@
+#include <asperity/fluid/navier_stokes.h>
+
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/numerics/vector_tools.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity
+{
+  using dealii::Tensor;
+
+  namespace
+  {
+    /** Steps may grow by this factor under BDF2, which loses zero-stability
+     *  at 1 + sqrt(2). */
+    constexpr double largest_growth = 2.;
+  } // namespace
+
+
+
+  NavierStokes::NavierStokes(const dealii::Triangulation<2>   &triangulation,
+                             const FluidOptions               &options,
+                             const std::vector<PeriodicSides> &periodic)
+    : options(options)
+    , space_(triangulation,
+             options.element,
+             options.degree,
+             options.geometry_degree,
+             periodic)
+    , mesh(space_)
+    , boundary_(space_, mesh)
+    , assembler(space_, mesh, options.model)
+    , level(space_, mesh, boundary_)
+    , solver(make_direct_solver(options.solver))
+    , u(space_.dofs().n_dofs())
+    , u_old(u)
+    , u_older(u)
+    , cell_forces(u)
+    , source(u)
+    , scale(u)
+  {
+    dealii::Table<2, dealii::DoFTools::Coupling> coupling(3, 3);
+    coupling.fill(dealii::DoFTools::always);
+    if (options.element == FluidElement::taylor_hood)
+      coupling(2, 2) = dealii::DoFTools::none;
+    dealii::DynamicSparsityPattern couplings(u.size());
+    dealii::DoFTools::make_sparsity_pattern(space_.dofs(),
+                                            coupling,
+                                            couplings,
+                                            space_.topology());
+    pattern.copy_from(couplings);
+    matrix.reinit(pattern);
+  }
+
+
+
+  FluidBoundary &
+  NavierStokes::boundary()
+  {
+    return boundary_;
+  }
+
+
+
+  void
+  NavierStokes::set_material_walls(const BoundaryIds &ids)
+  {
+    material_walls = ids;
+  }
+
+
+
+  bool
+  NavierStokes::set_mesh_displacement(const Vector &displacement)
+  {
+    return mesh.set_displacement(displacement);
+  }
+
+
+
+  double
+  NavierStokes::mesh_rate() const
+  {
+    return mesh.rate().now;
+  }
+
+
+
+  void
+  NavierStokes::begin_step(const double new_dt)
+  {
+    dt = new_dt;
+    BackwardDifference rate;
+    if (options.scheme == FluidTimeScheme::bdf2 && n_steps > 0 &&
+        dt <= largest_growth * dt_old)
+      rate = BackwardDifference::bdf2(dt, dt_old);
+    else if (options.scheme != FluidTimeScheme::steady)
+      rate = BackwardDifference::implicit_euler(dt);
+    mesh.set_rate(rate);
+    Vector history(u_old);
+    history *= rate.old;
+    history.add(rate.older, u_older);
+    assembler.set_step(rate, history, time());
+    u = u_old;
+  }
+
+
+
+  std::string
+  NavierStokes::prepare()
+  {
+    const auto prescribed = boundary_.prescribed(time());
+    level.update();
+    constraints.copy_from(space_.topology());
+    dealii::AffineConstraints<double> all;
+    for (const auto &entry : prescribed)
+      all.add_line(entry.first);
+    for (const unsigned int i : level.held_dofs())
+      all.add_line(i);
+    all.close();
+    constraints.merge(all,
+                      dealii::AffineConstraints<
+                        double>::MergeConflictBehavior::left_object_wins);
+    constraints.close();
+
+    for (const auto &entry : prescribed)
+      u(entry.first) = entry.second;
+    space_.topology().distribute(u);
+
+    source = 0.;
+    if (!material_walls.empty())
+      mesh.add_swept_volume_defect(material_walls, source);
+    return level.balance(u, source, options.flux_tolerance);
+  }
+
+
+
+  ConvergenceReport
+  NavierStokes::solve()
+  {
+    ConvergenceReport report;
+    if (mesh.is_valid())
+      report.reason = prepare();
+    else
+      report.reason = "a cell of the fluid mesh is inverted";
+    if (!report.reason.empty())
+      return report;
+
+    NewtonOptions newton_options;
+    newton_options.tolerance          = options.tolerance;
+    newton_options.maximum_iterations = options.maximum_newton_iterations;
+    newton_options.merit              = NewtonMerit::residual_norm;
+    momentum_scale = continuity_scale = 0.;
+    report = newton(*this, u, newton_options, statistics_);
+    if (level.is_undetermined())
+      {
+        level.fix_mean(u, options.mean_pressure);
+        Vector R(u.size());
+        assemble(u, R, nullptr);
+      }
+    return report;
+  }
+
+
+
+  void
+  NavierStokes::accept()
+  {
+    u_older = u_old;
+    u_old   = u;
+    mesh.accept();
+    time_old += dt;
+    dt_old = dt;
+    dt     = 0.;
+    ++n_steps;
+  }
+
+
+
+  double
+  NavierStokes::time() const
+  {
+    return time_old + dt;
+  }
+
+
+
+  void
+  NavierStokes::assemble(const Vector                 &u,
+                         Vector                       &R,
+                         dealii::SparseMatrix<double> *tangent)
+  {
+    cell_forces = 0.;
+    scale       = 0.;
+    if (tangent != nullptr)
+      *tangent = 0.;
+    assembler.add(u, constraints, cell_forces, scale, tangent);
+    R = cell_forces;
+    boundary_.add(u, time(), constraints, R, scale, tangent);
+    R += source;
+    for (const auto &line : constraints.get_lines())
+      R(line.index) = 0.;
+    update_scales();
+  }
+
+
+
+  void
+  NavierStokes::update_scales()
+  {
+    const unsigned int n_velocity = space_.n_velocity_dofs();
+    double             momentum = 0., continuity = 0.;
+    for (unsigned int i = 0; i < u.size(); ++i)
+      (i < n_velocity ? momentum : continuity) += scale(i) * scale(i);
+    momentum_scale   = std::max(momentum_scale, std::sqrt(momentum));
+    continuity_scale = std::max(continuity_scale, std::sqrt(continuity));
+
+    // A fluid at rest under pressure moves by round-off only; the flow that
+    // such a pressure could drive is the size to compare it with.
+    const double viscosity = assembler.model().viscosity.viscosity;
+    const double cell_size =
+      std::sqrt(volume() / space_.dofs().get_triangulation().n_active_cells());
+    continuity_scale =
+      std::max(continuity_scale, 1e-4 * momentum_scale / viscosity * cell_size);
+  }
+
+
+
+  double
+  NavierStokes::norm(const Vector &R) const
+  {
+    const unsigned int n_velocity = space_.n_velocity_dofs();
+    double             momentum = 0., continuity = 0.;
+    for (unsigned int i = 0; i < R.size(); ++i)
+      (i < n_velocity ? momentum : continuity) += R(i) * R(i);
+    const auto relative = [](const double squares, const double reference) {
+      return squares > 0. ? std::sqrt(squares) / reference : 0.;
+    };
+    return std::max(relative(momentum, momentum_scale),
+                    relative(continuity, continuity_scale));
+  }
+
+
+
+  bool
+  NavierStokes::residual(const Vector &u, Vector &R)
+  {
+    assemble(u, R, nullptr);
+    return true;
+  }
+
+
+
+  bool
+  NavierStokes::linearize(const Vector &u, Vector &R)
+  {
+    assemble(u, R, &matrix);
+    return true;
+  }
+
+
+
+  bool
+  NavierStokes::direction(const Vector &R, Vector &d)
+  {
+    if (!solver->factorize(matrix))
+      return false;
+    d = R;
+    d *= -1.;
+    solver->solve(d);
+    constraints.distribute(d);
+    return std::isfinite(d.l2_norm());
+  }
+} // namespace asperity
