@@ -245,6 +245,13 @@ TEST(ColumnMesh, ResidualFilmKeepsOneMeshWhereSurfacesOverlap)
           true_smallest = std::min(true_smallest, gap);
           largest_lift  = std::max(largest_lift, above[1] - gap);
         }
+      // between the nodes, too
+      for (unsigned int i = 0; i + 2 < tool_places.size(); i += 2)
+        for (double t = 0.; t <= 1.; t += 0.05)
+          EXPECT_GE(tool_places[i][1] * (1. - t) * (1. - 2. * t) +
+                      tool_places[i + 1][1] * 4. * t * (1. - t) +
+                      tool_places[i + 2][1] * t * (2. * t - 1.),
+                    film * (1. - 1e-9));
       EXPECT_NEAR(mesh.film().smallest_gap, true_smallest, 1e-14 * period);
       EXPECT_NEAR(mesh.film().largest_lift, largest_lift, 1e-14 * period);
       EXPECT_EQ(mesh.film().fraction > 0., largest_lift > 1e-6 * um);
