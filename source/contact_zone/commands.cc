@@ -73,7 +73,7 @@ namespace asperity
       std::cout << "Chip: " << scene.chip_surface.description << ", "
                 << scene.law->name() << ", degree " << scene.space->degree()
                 << ", " << scene.space->n_cells() << " elements, "
-                << scene.n_dofs() << " unknowns, penalty "
+                << scene.n_unknowns() << " unknowns, penalty "
                 << format_quantity(scene.penalty(), "Pa/m", 3) << "\n";
       if (explain)
         print_treatment(scene.chip_surface);

@@ -8,7 +8,8 @@ namespace asperity
     const std::vector<std::pair<std::string, LubricantModel>> models = {
       {"automatic", LubricantModel::automatic},
       {"none", LubricantModel::none},
-      {"pocket", LubricantModel::pocket}};
+      {"pocket", LubricantModel::pocket},
+      {"Reynolds", LubricantModel::reynolds}};
   } // namespace
 
 
@@ -34,8 +35,9 @@ namespace asperity
                         models,
                         "What the oil between tool and chip is: `none`, dry "
                         "contact; `pocket`, liquid enclosed in the voids, one "
-                        "pressure a pocket, no flow; `automatic`, as the scene "
-                        "audit says.");
+                        "pressure a pocket, no flow; `Reynolds`, a thin film "
+                        "that flows, cavitates and shears; `automatic`, as the "
+                        "scene audit says.");
       parameters.number("Wetting",
                         wetting,
                         Range::between(0., 1.),
@@ -49,6 +51,12 @@ namespace asperity
                           "surfaces seal, and the void on each side is a "
                           "pocket with a pressure of its own; 0: all voids "
                           "are connected and share one pressure.");
+      parameters.quantity("Residual film",
+                          residual_film,
+                          "nm",
+                          Range::positive(),
+                          "Model `Reynolds`: the thickness of the film where "
+                          "the surfaces touch.");
     }
     oil.declare(parameters);
   }

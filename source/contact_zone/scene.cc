@@ -1,6 +1,7 @@
 #include <asperity/base/errors.h>
 #include <asperity/contact/curve_obstacle.h>
 #include <asperity/contact_zone/scene.h>
+#include <asperity/fluid/film_term.h>
 #include <asperity/fluid/sealed_pocket.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -84,13 +85,22 @@ namespace asperity
     contact                    = std::make_unique<ContactAssembler>(
       space, geometry, Edge::top, tool, options);
 
-    build_boundaries();
     build_lubricant(parameters);
+    build_boundaries();
     std::vector<ForceTerm *> terms = {chip.get(), contact.get()};
     if (lubricant)
       terms.push_back(lubricant.get());
-    equilibrium = std::make_unique<Equilibrium>(
-      n_dofs(), terms, is_prescribed_, parameters.solver.linear_solver);
+    // The tangent of a film is not symmetric.
+    const bool symmetric = n_lubricant_unknowns == 0;
+    equilibrium =
+      std::make_unique<Equilibrium>(n_unknowns(),
+                                    terms,
+                                    is_prescribed_,
+                                    symmetric ||
+                                        parameters.solver.linear_solver !=
+                                          DirectSolverKind::cholmod ?
+                                      parameters.solver.linear_solver :
+                                      DirectSolverKind::umfpack);
     // A chip that floats on oil is held by the oil's volume alone.
     equilibrium->set_support(2 * space->edge_functions(Edge::bottom).front() +
                              1);
@@ -138,8 +148,8 @@ namespace asperity
   void
   Scene::build_boundaries()
   {
-    bottom_load_.reinit(n_dofs());
-    is_prescribed_.assign(n_dofs(), false);
+    bottom_load_.reinit(n_unknowns());
+    is_prescribed_.assign(n_unknowns(), false);
     for (const unsigned int a : space->edge_functions(Edge::bottom))
       is_prescribed_[2 * a] = true;
     const BasisTable bottom = tabulate_edge(
@@ -158,6 +168,9 @@ namespace asperity
   Scene::build_lubricant(const SceneParameters &parameters)
   {
     const LubricationParameters &lubrication = parameters.lubrication;
+    initial_unknowns_.reinit(n_dofs());
+    if (lubrication.model == LubricantModel::reynolds)
+      build_film(parameters);
     if (lubrication.model != LubricantModel::pocket)
       return;
     SealedPocketOptions options;
@@ -173,10 +186,46 @@ namespace asperity
 
 
 
+  void
+  Scene::build_film(const SceneParameters &parameters)
+  {
+    const LubricationParameters &lubrication = parameters.lubrication;
+    FilmTermOptions              options;
+    options.oil            = lubrication.oil;
+    options.wetting        = lubrication.wetting;
+    options.gap.residual   = lubrication.residual_film;
+    options.pressure_scale = parameters.load.pressure;
+    options.gap_scale      = tool_surface.maximum() - tool_surface.minimum();
+    auto film              = std::make_unique<FilmTerm>(
+      *space, geometry, tool_surface.curve, options, n_dofs());
+    n_lubricant_unknowns = film->n_unknowns();
+    initial_unknowns_.reinit(n_unknowns());
+    film->initialize(initial_unknowns_);
+    lubricant = std::move(film);
+  }
+
+
+
   unsigned int
   Scene::n_dofs() const
   {
     return 2 * space->n_functions();
+  }
+
+
+
+  unsigned int
+  Scene::n_unknowns() const
+  {
+    return n_dofs() + n_lubricant_unknowns;
+  }
+
+
+
+  Vector
+  Scene::initial_unknowns() const
+  {
+    return initial_unknowns_;
   }
 
 
@@ -216,7 +265,7 @@ namespace asperity
   Vector
   Scene::translation(const double x, const double y) const
   {
-    Vector u(n_dofs());
+    Vector u(n_unknowns());
     for (unsigned int a = 0; a < space->n_functions(); ++a)
       {
         u(2 * a)     = x;

@@ -84,7 +84,7 @@ namespace asperity
   void
   load(const Checkpoint &checkpoint, SlidingRun &run, Scene &scene)
   {
-    const std::size_t n = scene.n_dofs();
+    const std::size_t n = scene.n_unknowns();
     RunState          state;
     state.step        = checkpoint.integers("step").at(0);
     state.time        = checkpoint.doubles("time", 2)[0];

@@ -265,7 +265,7 @@ namespace asperity
             {"material", scene.law->name()}};
     summary["mesh"]     = {{"degree", scene.space->degree()},
                            {"cells", scene.space->n_cells()},
-                           {"unknowns", scene.n_dofs()},
+                           {"unknowns", scene.n_unknowns()},
                            {"contact_element", scene.contact_element_length()},
                            {"penalty", scene.penalty()}};
     summary["surfaces"] = {{"period", scene.length},

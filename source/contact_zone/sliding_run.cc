@@ -15,8 +15,7 @@ namespace asperity
     , scene(scene)
     , protocol_(parameters.load, parameters.protocol)
   {
-    state_.u.reinit(scene.n_dofs());
-    state_.u_previous.reinit(scene.n_dofs());
+    state_.u = state_.u_previous = scene.initial_unknowns();
     state_.rows.emplace_back();
     state_.rows.back().max_temperature    = parameters.load.temperature;
     state_.rows.back().max_plastic_strain = parameters.load.plastic_strain;
@@ -24,10 +23,10 @@ namespace asperity
       return;
     dynamics_ =
       std::make_unique<GeneralizedAlpha>(parameters.protocol.spectral_radius);
-    dynamics_->u.reinit(scene.n_dofs());
+    dynamics_->u = scene.initial_unknowns();
     dynamics_->v = scene.translation(parameters.load.velocity, 0.);
-    dynamics_->a.reinit(scene.n_dofs());
-    old_forces.reinit(scene.n_dofs());
+    dynamics_->a.reinit(scene.n_unknowns());
+    old_forces.reinit(scene.n_unknowns());
     mass = scene.equilibrium->make_matrix();
     scene.chip->assemble_mass(*mass);
   }
@@ -138,6 +137,8 @@ namespace asperity
     options.maximum_iterations = parameters.solver.maximum_iterations;
     options.tolerance =
       parameters.solver.tolerance * parameters.load.pressure * scene.length;
+    if (parameters.lubrication.model == LubricantModel::reynolds)
+      options.merit = NewtonMerit::residual_norm;
     for (unsigned int augmentations = 0;;)
       {
         ConvergenceReport report =
@@ -214,7 +215,7 @@ namespace asperity
   double
   SlidingRun::touching_shift(const Vector &u, const double pressure) const
   {
-    Vector     residual(scene.n_dofs());
+    Vector     residual(scene.n_unknowns());
     const auto supports = [&](const double shift) {
       Vector shifted = u;
       shifted += scene.translation(0., shift);
@@ -244,7 +245,7 @@ namespace asperity
     if (!dynamics_)
       return;
     // M (m u + b) + (1 - alpha_f) f(u) + alpha_f f_n
-    Vector constant(scene.n_dofs());
+    Vector constant(scene.n_unknowns());
     mass->vmult(constant, dynamics_->constant(dt));
     constant.add(dynamics_->alpha_f(), old_forces);
     scene.equilibrium->set_inertia(mass.get(),

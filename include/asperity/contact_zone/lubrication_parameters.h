@@ -13,7 +13,8 @@ namespace asperity
   {
     automatic, ///< as the scene audit says
     none,
-    pocket
+    pocket,
+    reynolds
   };
 
   /** As in parameter files. */
@@ -29,6 +30,9 @@ namespace asperity
     /** Model `pocket`: gap under which surfaces seal [m]; 0: one connected
      *  void. */
     double sealing_gap = 0.;
+
+    /** Film that stays where surfaces touch [m]; models with flow. */
+    double residual_film = 2e-9;
 
     LubricantParameters oil;
 

@@ -27,8 +27,18 @@ namespace asperity
     Scene &
     operator=(const Scene &) = delete;
 
+    /** Components of the chip's displacement. */
     unsigned int
     n_dofs() const;
+
+    /** Length of the vector of unknowns: the displacement, then what the
+     *  lubricant solves for together with it. */
+    unsigned int
+    n_unknowns() const;
+
+    /** The unknowns at rest. */
+    dealii::Vector<double>
+    initial_unknowns() const;
 
     /** Contact penalty epsilon [Pa/m]. */
     double
@@ -47,7 +57,7 @@ namespace asperity
     const std::vector<bool> &
     is_prescribed() const;
 
-    /** u = (x, y) everywhere. */
+    /** u = (x, y) everywhere; other unknowns zero. */
     dealii::Vector<double>
     translation(const double x, const double y) const;
 
@@ -73,10 +83,16 @@ namespace asperity
     void
     build_lubricant(const SceneParameters &parameters);
 
+    void
+    build_film(const SceneParameters &parameters);
+
+    dealii::Vector<double> initial_unknowns_;
+
     dealii::Vector<double> bottom_load_;
     std::vector<bool>      is_prescribed_;
     double                 penalty_                = 0.;
     double                 contact_element_length_ = 0.;
+    unsigned int           n_lubricant_unknowns    = 0;
   };
 
   /** Levels of the rows of the coarsest mesh: heights from 0 to `height`, the
