@@ -238,3 +238,31 @@ TEST_F(BadInput, restart_without_a_checkpoint)
                                       "  set Restart = true\nend\n");
   EXPECT_NE(message.find("checkpoint"), std::string::npos) << message;
 }
+
+TEST_F(BadInput, wetting_beyond_the_void)
+{
+  EXPECT_EQ(refusal(in("Lubrication", "set Wetting = 1.5")),
+            "Error: scene.prm, line 2, entry 'Lubrication/Wetting': '1.5' is "
+            "out of range; a number between 0 and 1 is expected.\n");
+}
+
+TEST_F(BadInput, lubricant_without_oil)
+{
+  EXPECT_EQ(refusal(in("Lubrication", "set Model = pocket\n  set Wetting = 0")),
+            "Error: scene.prm, line 3, entry 'Lubrication/Wetting': found 0, "
+            "so that there is no oil; expected a positive number, or the model "
+            "`none`.\n");
+}
+
+TEST_F(BadInput, unknown_lubricant_model)
+{
+  EXPECT_NE(refusal(in("Lubrication", "set Model = grease")).find("pocket"),
+            std::string::npos);
+}
+
+TEST_F(BadInput, oil_of_negative_stiffness)
+{
+  EXPECT_EQ(refusal(in("Lubricant", "set Bulk modulus = -1.6 GPa")),
+            "Error: scene.prm, line 2, entry 'Lubricant/Bulk modulus': '-1.6 "
+            "GPa' is out of range; more than 0 GPa is expected.\n");
+}

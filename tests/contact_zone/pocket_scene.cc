@@ -1,0 +1,119 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene_examples.h"
+
+using namespace asperity;
+
+// Expected values are balances, limits and the conditions of the model.
+
+namespace
+{
+  SceneParameters
+  pocket_scene(const double wetting, const double pressure)
+  {
+    SceneParameters parameters     = coarse_scene();
+    parameters.lubrication.model   = LubricantModel::pocket;
+    parameters.lubrication.wetting = wetting;
+    parameters.load.pressure       = pressure;
+    parameters.solver.tolerance    = 1e-8;
+    return parameters;
+  }
+
+  void
+  expect_balance(const CompleteRun &run)
+  {
+    for (const FrictionRow &row : run.rows())
+      {
+        EXPECT_NEAR(row.T_y,
+                    -run.run.protocol().pressure(row.time) * run.scene.length,
+                    1e-6 * run.load())
+          << "step " << row.step;
+        // p >= 0, V - V_oil >= 0, p (V - V_oil) = 0
+        EXPECT_GE(row.oil_pressure, 0.);
+        EXPECT_GE(row.void_volume, row.oil_volume * (1. - 1e-12));
+        if (row.pockets == 1 && row.oil_pressure > 0.)
+          {
+            EXPECT_NEAR(row.oil_volume,
+                        row.void_volume,
+                        1e-9 * row.void_volume);
+          }
+      }
+    // The first row is of the scene before anything has been computed.
+    const double mass = run.rows()[1].oil_reference_volume;
+    for (std::size_t i = 1; i < run.rows().size(); ++i)
+      EXPECT_NEAR(run.rows()[i].oil_reference_volume, mass, 1e-14 * mass);
+  }
+} // namespace
+
+TEST(PocketScene, contact_and_oil_carry_the_load_together)
+{
+  for (const double wetting : {0.6, 1.})
+    {
+      const CompleteRun run(pocket_scene(wetting, 1300e6));
+      expect_balance(run);
+      EXPECT_GT(run.rows().back().oil_pressure, 100e6);
+      EXPECT_GT(run.rows().back().contact_fraction, 0.);
+      // One pressure on a periodic edge has no lateral force.
+      EXPECT_LT(std::abs(run.rows().back().oil_T_x), 1e-9 * run.load());
+    }
+}
+
+TEST(PocketScene, oil_that_finds_room_changes_nothing)
+{
+  const CompleteRun wet(pocket_scene(0.01, 300e6));
+  SceneParameters   parameters = pocket_scene(0.01, 300e6);
+  parameters.lubrication.model = LubricantModel::none;
+  const CompleteRun dry(parameters);
+  ASSERT_EQ(wet.rows().size(), dry.rows().size());
+  for (std::size_t i = 0; i < wet.rows().size(); ++i)
+    EXPECT_EQ(wet.rows()[i].T_x, dry.rows()[i].T_x) << i;
+}
+
+TEST(PocketScene, chip_floats_on_incompressible_oil)
+{
+  SceneParameters parameters                     = pocket_scene(1., 300e6);
+  parameters.lubrication.oil.compressibility.law = DensityLaw::incompressible;
+  const CompleteRun run(parameters);
+  expect_balance(run);
+  for (std::size_t i = 1; i < run.rows().size(); ++i)
+    {
+      const FrictionRow &row = run.rows()[i];
+      EXPECT_NEAR(row.oil_pressure,
+                  run.run.protocol().pressure(row.time),
+                  1e-6 * parameters.load.pressure);
+      EXPECT_EQ(row.contact_fraction, 0.);
+      EXPECT_NEAR(row.void_volume,
+                  row.oil_reference_volume,
+                  1e-9 * row.void_volume);
+    }
+}
+
+TEST(PocketScene, oil_keeps_its_mass_while_pockets_split_and_merge)
+{
+  SceneParameters parameters         = pocket_scene(0.3, 1300e6);
+  parameters.load.temperature        = 948.15;
+  parameters.lubrication.sealing_gap = 20e-9;
+  const CompleteRun run(parameters);
+  expect_balance(run);
+  unsigned int most = 0;
+  for (const FrictionRow &row : run.rows())
+    most = std::max(most, row.pockets);
+  EXPECT_GE(most, 2u);
+  EXPECT_FALSE(run.scene.lubricant->events().empty());
+}
+
+TEST(PocketScene, surfaces_that_seal_everywhere_do_not_stop_the_run)
+{
+  // Everything is closer than the sealing gap: there is no pocket.
+  SceneParameters parameters         = pocket_scene(0.5, 300e6);
+  parameters.lubrication.sealing_gap = 5e-6;
+  const CompleteRun run(parameters);
+  for (const FrictionRow &row : run.rows())
+    {
+      EXPECT_EQ(row.pockets, 0u);
+      EXPECT_EQ(row.oil_pressure, 0.);
+    }
+}
