@@ -99,6 +99,69 @@ namespace asperity
           "tool; raise the spans or filter the tool.");
     }
 
+    /** Mean vertical distance of the surfaces at the start [m]. */
+    double
+    mean_gap(const Scene &scene)
+    {
+      constexpr unsigned int n   = 2000;
+      double                 sum = 0.;
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const double x = scene.length * i / n;
+          sum += scene.tool_surface.height(x) - scene.chip_surface.height(x);
+        }
+      return sum / n;
+    }
+
+    /** The rung that the numbers ask for. */
+    LubricantModel
+    choose_lubricant(const double wetting, const double flow_pressure)
+    {
+      if (wetting == 0.)
+        return LubricantModel::none;
+      return flow_pressure < 0.05 ? LubricantModel::pocket :
+                                    LubricantModel::reynolds;
+    }
+
+    void
+    audit_lubricant(const SceneParameters &parameters,
+                    const Scene           &scene,
+                    SceneAudit            &audit)
+    {
+      const LubricationParameters &lubrication = parameters.lubrication;
+      audit.lubricant                          = lubrication.model;
+      if (lubrication.model == LubricantModel::none)
+        return;
+      const LubricantParameters &oil = lubrication.oil;
+      const double p = parameters.load.pressure, v = parameters.load.velocity,
+                   eta = oil.viscosity.viscosity, h = mean_gap(scene);
+      const double height =
+        scene.tool_surface.maximum() - scene.tool_surface.minimum();
+      // Half the length of an asperity as steep as the steepest one.
+      const double asperity = height / scene.tool_surface.largest_slope();
+
+      audit.entries.push_back(
+        {"compression of the oil at the load",
+         1. - 1. / oil.compressibility.ratio(p),
+         "how far the void must shrink until full pockets carry the load; "
+         "above 0.01 an incompressible oil is too stiff a model"});
+      const double flow_pressure = 12. * eta * v * asperity / (h * h * p);
+      audit.entries.push_back(
+        {"pressure differences by flow over the load",
+         flow_pressure,
+         "below 0.05 one pressure a pocket describes the oil; above it the "
+         "film's own pressure counts"});
+      audit.entries.push_back({"viscous shear over the load",
+                               eta * v / (h * p),
+                               "what the oil itself adds to mu"});
+      audit.entries.push_back(
+        {"reduced Reynolds number of the film",
+         oil.density * v * h / eta * h / asperity,
+         "far below 1 the oil has no inertia: Reynolds or Stokes"});
+      if (lubrication.model == LubricantModel::automatic)
+        audit.lubricant = choose_lubricant(lubrication.wetting, flow_pressure);
+    }
+
     /** What the reader and the treatment of measured surfaces complain of. */
     void
     audit_surface(const Surface     &surface,
@@ -122,6 +185,7 @@ namespace asperity
     SceneAudit audit;
     audit_time_scales(parameters, scene, audit);
     audit_resolution(parameters, scene, audit);
+    audit_lubricant(parameters, scene, audit);
     audit_surface(scene.tool_surface, "Tool", audit);
     audit_surface(scene.chip_surface, "Chip", audit);
     return audit;

@@ -8,10 +8,12 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/timer.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
 #include <iostream>
+#include <memory>
 #include <optional>
 
 namespace asperity
@@ -85,7 +87,11 @@ namespace asperity
           if (explain)
             std::cout << "      " << entry.meaning << "\n";
         }
-      std::cout << "Models: lubricant " << name(audit.lubricant) << ", "
+      std::cout << "Models: "
+                << (audit.lubricant == LubricantModel::none ?
+                      "dry" :
+                      "oil by " + name(audit.lubricant))
+                << ", "
                 << (audit.inertia == Inertia::dynamic ? "dynamic" :
                                                         "quasi-static")
                 << ", adiabatic\n";
@@ -93,6 +99,7 @@ namespace asperity
 
     void
     print_result(const SlidingRun               &run,
+                 const double                    scene_length,
                  const SceneParameters          &parameters,
                  const std::vector<std::string> &warnings,
                  const double                    seconds)
@@ -101,8 +108,17 @@ namespace asperity
       std::cout << std::setprecision(4) << "mu = " << friction.mu << " +- "
                 << friction.spread << " (spread over time), at the end "
                 << friction.mu_end << ", contact fraction "
-                << friction.contact_fraction << "\n"
-                << run.state().step << " steps, "
+                << friction.contact_fraction << "\n";
+      if (friction.oil_pressure > 0.)
+        std::cout << "oil at "
+                  << format_quantity(friction.oil_pressure, "MPa", 4)
+                  << " carries "
+                  << format_quantity(100. * friction.oil_pressure *
+                                       scene_length / std::abs(friction.T_y),
+                                     "1",
+                                     3)
+                  << " % of the load\n";
+      std::cout << run.state().step << " steps, "
                 << run.newton_statistics().iterations << " Newton iterations, "
                 << std::setprecision(3) << seconds << " s; results in "
                 << parameters.output.directory << "\n";
@@ -110,15 +126,27 @@ namespace asperity
         std::cout << "Warning: " << warning << "\n";
     }
 
-    /** The choice of the parameter file, or what the audit says. */
-    void
-    resolve_models(SceneParameters &parameters, SceneAudit &audit)
+    /** A scene with the models that the parameter file asks for or, where it
+     *  says `automatic`, those of the audit; these go into the parameters. */
+    struct AuditedScene
     {
-      if (parameters.protocol.inertia == Inertia::automatic)
-        parameters.protocol.inertia = audit.inertia;
-      audit.inertia   = parameters.protocol.inertia;
-      audit.lubricant = parameters.lubrication.model;
-    }
+      explicit AuditedScene(SceneParameters &parameters)
+        : scene(std::make_unique<Scene>(parameters))
+        , audit(audit_scene(parameters, *scene))
+      {
+        if (parameters.protocol.inertia == Inertia::automatic)
+          parameters.protocol.inertia = audit.inertia;
+        audit.inertia = parameters.protocol.inertia;
+        if (parameters.lubrication.model == LubricantModel::automatic)
+          {
+            parameters.lubrication.model = audit.lubricant;
+            scene                        = std::make_unique<Scene>(parameters);
+          }
+      }
+
+      std::unique_ptr<Scene> scene;
+      SceneAudit             audit;
+    };
 
     std::vector<std::string>
     collect_warnings(const SlidingRun      &run,
@@ -189,9 +217,9 @@ namespace asperity
     SceneParameters &parameters = input.parameters;
     const auto       restart    = find_checkpoint(input);
     write_parameters(input);
-    Scene      scene(parameters);
-    SceneAudit audit = audit_scene(parameters, scene);
-    resolve_models(parameters, audit);
+    const AuditedScene audited(parameters);
+    Scene             &scene = *audited.scene;
+    const SceneAudit  &audit = audited.audit;
     std::cout << version_line() << "\n";
     print_scene(scene, audit, false);
 
@@ -229,7 +257,7 @@ namespace asperity
     const auto warnings = collect_warnings(run, parameters, audit);
     output.finish(run, audit, warnings, timer.wall_time());
     progress.note("");
-    print_result(run, parameters, warnings, timer.wall_time());
+    print_result(run, scene.length, parameters, warnings, timer.wall_time());
     return 0;
   }
 
@@ -240,12 +268,10 @@ namespace asperity
   {
     if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
       return 0;
-    SceneInput  input(file);
-    const Scene scene(input.parameters);
-    SceneAudit  audit = audit_scene(input.parameters, scene);
-    resolve_models(input.parameters, audit);
-    print_scene(scene, audit, true);
-    for (const std::string &warning : audit.warnings)
+    SceneInput         input(file);
+    const AuditedScene audited(input.parameters);
+    print_scene(*audited.scene, audited.audit, true);
+    for (const std::string &warning : audited.audit.warnings)
       std::cout << "Warning: " << warning << "\n";
     std::cout << file << " is valid.\n";
     return 0;

@@ -123,3 +123,29 @@ TEST(SceneAudit, passes_on_what_the_reader_of_a_surface_complains_of)
   EXPECT_EQ(audit.warnings.size(), before + 1);
   EXPECT_TRUE(warns(audit, "Tool surface: The unit is a guess."));
 }
+
+TEST(SceneAudit, chooses_the_lubricant_model_by_the_flow)
+{
+  SceneParameters parameters   = coarse_scene();
+  parameters.lubrication.model = LubricantModel::automatic;
+  // 12 eta v l/(h^2 p) with the void of R0, 0.335 um, and asperities of 0.9 um
+  parameters.load.velocity = 22.5 / 60.;
+  const Scene scene(parameters);
+  SceneAudit  audit = audit_scene(parameters, scene);
+  EXPECT_EQ(audit.lubricant, LubricantModel::pocket);
+  const double h = 0.335e-6, l = 0.682e-6 / 0.75;
+  EXPECT_NEAR(number(audit, "pressure differences by flow over the load"),
+              12. * 0.032 * 0.375 * l / (h * h * 300e6),
+              0.02 * 0.004);
+  // Murnaghan: (1 + 10 * 0.3/1.6)^(1/10)
+  EXPECT_NEAR(number(audit, "compression of the oil at the load"),
+              1. - std::pow(1. + 10. * 0.3 / 1.6, -0.1),
+              1e-6);
+
+  parameters.load.velocity = 200.;
+  audit                    = audit_scene(parameters, scene);
+  EXPECT_EQ(audit.lubricant, LubricantModel::reynolds);
+  parameters.lubrication.wetting = 0.;
+  audit                          = audit_scene(parameters, scene);
+  EXPECT_EQ(audit.lubricant, LubricantModel::none);
+}
