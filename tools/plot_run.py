@@ -6,8 +6,9 @@ Usage: tools/plot_run.py OUTPUT_DIRECTORY [--step N] [--to FOLDER]
 Writes into the output directory (or FOLDER)
 
   deformed_topography.png  the deformed chip coloured by equivalent plastic
-                           strain, the tool, and the contact force on the chip
-                           as arrows: the hardest contact and two periods
+                           strain, the tool, the oil coloured by its pressure, and
+                           the contact force on the chip as arrows: the hardest
+                           contact and two periods
   friction.png             mu and contact fraction over time and sliding
                            distance; the averaging window is shaded, with the
                            mean and its spread
@@ -40,6 +41,7 @@ except ImportError as error:
 
 UM = 1e6  # micrometres a metre
 STRAIN = "equivalent plastic strain [-]"
+OIL = "oil pressure [Pa]"
 TOOL_COLOUR, ARROW_COLOUR, WINDOW_COLOUR = "#b9bfc9", "#12355b", "#f2c14e"
 
 
@@ -172,6 +174,7 @@ class Scene:
         line = part_at(directory, "contact", self.step)
         self.line = line.points * UM
         self.traction = line.field("traction [Pa]") * 1e-9
+        self.oil_pressure = line.fields.get(OIL, np.zeros(1)).ravel() * 1e-6
         self.period = np.ptp(self.tool[:, 0])  # the tool is drawn once
 
     def copies(self, points, left, right):
@@ -198,16 +201,19 @@ class Scene:
         return np.array(points).reshape(-1, 2), np.array(tractions).reshape(-1, 2)
 
 
-def draw_scene(axes, scene, box, norm, arrow_length, with_key):
-    """The part of the scene in box = (left, right, low, high)."""
+def draw_scene(axes, scene, box, norms, arrow_length, with_key):
+    """The part of the scene in box = (left, right, low, high); colours of
+    strain and of oil pressure by norms."""
     left, right, low, high = box
     triangles = np.concatenate([scene.cells[:, [0, 1, 2]],
                                 scene.cells[:, [0, 2, 3]]])
-    image = None
+    strain = oil = None
     for shift in scene.copies(scene.chip, left, right):
-        image = axes.tripcolor(scene.chip[:, 0] + shift, scene.chip[:, 1],
+        strain = axes.tripcolor(scene.chip[:, 0] + shift, scene.chip[:, 1],
                                triangles, scene.strain, shading="gouraud",
-                               cmap="YlOrRd", norm=norm, rasterized=True)
+                               cmap="YlOrRd", norm=norms[0], rasterized=True)
+    if scene.oil_pressure.max() > 0.:
+        oil = draw_oil(axes, scene, left, right, norms[1])
     for shift in scene.copies(scene.line, left, right):
         axes.plot(scene.line[:, 0] + shift, scene.line[:, 1], color="#7a1f1f",
                   lw=0.8)
@@ -220,6 +226,21 @@ def draw_scene(axes, scene, box, norm, arrow_length, with_key):
              ylabel="y [µm]")
     axes.set_aspect("equal")
     label_bodies(axes)
+    return strain, oil
+
+
+def draw_oil(axes, scene, left, right, norm):
+    """The void between the bodies, coloured by the pressure of the oil."""
+    tool = scene.tool[np.argsort(scene.tool[:, 0])]
+    line = scene.line[:, 0], scene.line[:, 1]
+    above = np.interp(line[0], tool[:, 0], tool[:, 1], period=scene.period)
+    image = None
+    for shift in scene.copies(scene.line, left, right):
+        x = np.tile(line[0] + shift, (2, 1))
+        y = np.array([line[1], np.maximum(above, line[1])])
+        image = axes.pcolormesh(x, y, np.tile(scene.oil_pressure, (2, 1)),
+                                shading="gouraud", cmap="Blues", norm=norm,
+                                rasterized=True)
     return image
 
 
@@ -287,14 +308,15 @@ def plot_topography(directory, step, target):
 
     # A few points at the sharpest asperity would else darken all the rest.
     limit = max(np.quantile(scene.strain, 0.998), 1e-6)
-    norm = matplotlib.colors.Normalize(0., limit)
+    norms = (matplotlib.colors.Normalize(0., limit),
+             matplotlib.colors.Normalize(0., max(scene.oil_pressure.max(), 1e-6)))
     shapes = [(box[3] - box[2]) / (box[1] - box[0]) for box in (zoom, whole)]
     figure, panels = plt.subplots(2, 1, figsize=(10., 9. * sum(shapes) + 2.3),
                                   height_ratios=shapes,
                                   constrained_layout=True)
-    image = draw_scene(panels[0], scene, zoom, norm,
-                       0.11 * (zoom[1] - zoom[0]), True)
-    draw_scene(panels[1], scene, whole, norm, 0.07 * L, False)
+    image, oil = draw_scene(panels[0], scene, zoom, norms,
+                            0.11 * (zoom[1] - zoom[0]), True)
+    draw_scene(panels[1], scene, whole, norms, 0.07 * L, False)
     panels[1].add_patch(plt.Rectangle((zoom[0], zoom[2]), zoom[1] - zoom[0],
                                       zoom[3] - zoom[2], fill=False, ls="--",
                                       lw=0.8, zorder=6))
@@ -306,6 +328,9 @@ def plot_topography(directory, step, target):
                           extend="max" if scene.strain.max() > limit else
                           "neither")
     bar.set_label("equivalent plastic strain [–]")
+    if oil is not None:
+        figure.colorbar(oil, ax=panels, orientation="vertical", shrink=0.5,
+                        aspect=40, pad=0.01).set_label("oil pressure [MPa]")
     figure.suptitle(heading(directory, read_summary(directory)) +
                     f", t = {scene.time * 1e6:.4g} µs")
     figure.savefig(target, dpi=120)

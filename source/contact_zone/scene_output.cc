@@ -120,15 +120,20 @@ namespace asperity
 
     Polyline                          line;
     const auto                       &contact = *scene.contact;
-    std::vector<double>               gap;
+    std::vector<double>               gap, oil_pressure;
     std::vector<dealii::Tensor<1, 2>> traction;
     for (std::size_t q = 0; q < contact.pressure().size(); ++q)
       {
         gap.push_back(contact.gaps()[q].gap);
+        oil_pressure.push_back(
+          scene.lubricant ?
+            scene.lubricant->pressure(contact.table().parameter[q][0]) :
+            0.);
         traction.push_back(contact.pressure()[q] * contact.gaps()[q].normal);
       }
     line.points  = contact.positions();
     line.scalars = {{"contact pressure [Pa]", contact.pressure()},
+                    {"oil pressure [Pa]", oil_pressure},
                     {"gap [m]", gap}};
     line.vectors = {{"traction [Pa]", traction}};
     contact_line.write(step, time, [&](std::ostream &out) {

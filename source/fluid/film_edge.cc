@@ -141,6 +141,14 @@ namespace asperity
 
 
   double
+  FilmEdge::parameter(const unsigned int cell) const
+  {
+    return table.parameter[first_point(cell)][0];
+  }
+
+
+
+  double
   FilmEdge::reference_length(const unsigned int cell) const
   {
     double length = 0.;

@@ -310,6 +310,20 @@ namespace asperity
 
 
 
+  double
+  FilmTerm::pressure(const double parameter) const
+  {
+    unsigned int low = 0, high = edge_.n_cells();
+    while (high - low > 1)
+      {
+        const unsigned int middle                           = (low + high) / 2;
+        (edge_.parameter(middle) <= parameter ? low : high) = middle;
+      }
+    return states[low].pressure;
+  }
+
+
+
   const std::vector<FilmState> &
   FilmTerm::film_states() const
   {

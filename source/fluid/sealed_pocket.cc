@@ -252,6 +252,19 @@ namespace asperity
 
 
 
+  double
+  SealedPocket::pressure(const double parameter) const
+  {
+    if (pockets.empty())
+      return 0.;
+    std::vector<PocketExtent> extents;
+    for (const Pocket &pocket : tracker.pockets())
+      extents.push_back(pocket.extent);
+    return pockets[pocket_at(extents, parameter, length)].pressure;
+  }
+
+
+
   std::vector<std::string>
   SealedPocket::events() const
   {

@@ -50,6 +50,10 @@ namespace asperity
     measure(const dealii::Vector<double> &u,
             const dealii::Tensor<1, 2>   &tool_offset);
 
+    /** Parameter of the edge at the start of a cell [m]. */
+    double
+    parameter(const unsigned int cell) const;
+
     /** Reference length of a cell [m]. */
     double
     reference_length(const unsigned int cell) const;

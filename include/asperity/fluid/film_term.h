@@ -42,7 +42,8 @@ namespace asperity
    * with the residuals, in N/m like those of the chip,
    *   (p_s/h_s) R_i   (see ReynoldsFilm),   p_s dX_i phi_i.
    * Thus R times unknown is pressure times volume, an energy, and entries of
-   * the tangent are of the order of those of the chip. It is not symmetric.
+   * the tangent are of the order of those of the chip. It is not symmetric:
+   * Newton's method needs NewtonMerit::residual_norm.
    *
    * On the chip act the pressure on the deformed edge, constant in a cell, and
    * the shear T_1 of each face, in x, as the balance of the oil has it (slopes
@@ -97,6 +98,9 @@ namespace asperity
 
     LubricantState
     state() const override;
+
+    double
+    pressure(const double parameter) const override;
 
     /** Pressure and fraction of each cell at the last evaluation. */
     const std::vector<FilmState> &

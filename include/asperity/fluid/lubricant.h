@@ -77,6 +77,11 @@ namespace asperity
     virtual LubricantState
     state() const = 0;
 
+    /** Pressure on the chip at a parameter of its edge, in [0, L), as
+     *  state() [Pa]. */
+    virtual double
+    pressure(const double parameter) const = 0;
+
     /** What happened to the pockets so far, as "step 12: pocket B has become
      *  part of A". */
     virtual std::vector<std::string>

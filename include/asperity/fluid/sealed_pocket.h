@@ -92,6 +92,9 @@ namespace asperity
     LubricantState
     state() const override;
 
+    double
+    pressure(const double parameter) const override;
+
     std::vector<std::string>
     events() const override;
 
