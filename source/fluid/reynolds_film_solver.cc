@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace asperity
 {
@@ -175,22 +176,23 @@ namespace asperity
 
 
   std::string
-  ReynoldsFilm::explanation(const FilmGeometry           &geometry,
-                            const FilmStep               &step,
-                            const std::vector<FilmState> &states,
-                            const std::string            &reason) const
+  ReynoldsFilm::contradiction(const FilmGeometry &geometry,
+                              const FilmStep     &step) const
   {
-    const std::string doubt = warning(geometry, states);
-    if (!doubt.empty())
-      return doubt;
-    const bool keeps_all_oil =
-      ends.periodic && (step.is_steady() || lubricant_.is_incompressible());
-    if (keeps_all_oil && reason == "the tangent is singular")
-      return step.is_steady() ?
-               "a steady periodic film does not know how much oil it holds" :
-               "an incompressible lubricant fills the whole period, so that its "
-               "pressure has no level";
-    return reason;
+    if (!ends.periodic)
+      return "";
+    if (step.is_steady())
+      return "a steady periodic film does not know how much oil it holds";
+    const auto total = [](const std::vector<double> &values) {
+      return std::accumulate(values.begin(), values.end(), 0.);
+    };
+    const double oil =
+      total(step.old_content) + step.dt * total(geometry.supply);
+    if (lubricant_.is_incompressible() &&
+        oil > (1. - 1e-12) * total(geometry.volume))
+      return "an incompressible lubricant fills the whole period or more, so "
+             "that its pressure has no level";
+    return "";
   }
 
 
@@ -200,18 +202,23 @@ namespace asperity
                       const FilmStep         &step,
                       std::vector<FilmState> &states) const
   {
+    ConvergenceReport report;
+    report.reason = contradiction(geometry, step);
+    if (!report.reason.empty())
+      return report;
     NewtonOptions options;
     options.tolerance          = 1e-11;
     options.maximum_iterations = 200;
     options.line_search_trials = 30;
     options.merit              = NewtonMerit::residual_norm;
-    FilmSystem        system(*this, geometry, step);
-    NewtonStatistics  statistics;
-    Vector            z      = system.to_vector(states);
-    ConvergenceReport report = newton(system, z, options, statistics);
-    states                   = system.to_states(z);
-    if (!report.converged)
-      report.reason = explanation(geometry, step, states, report.reason);
+    FilmSystem       system(*this, geometry, step);
+    NewtonStatistics statistics;
+    Vector           z      = system.to_vector(states);
+    report                  = newton(system, z, options, statistics);
+    states                  = system.to_states(z);
+    const std::string doubt = warning(geometry, states);
+    if (!report.converged && !doubt.empty())
+      report.reason = doubt;
     return report;
   }
 } // namespace asperity

@@ -8,10 +8,14 @@ namespace asperity
    * negative where they penetrate: g itself, but never less than a residual
    * film h_r. A parabola joins both branches with continuous slope on
    * 0 < g < 2 h_r, where it exceeds max(g, h_r) by at most h_r/4.
+   *
+   * The residual film stands for what unresolved roughness keeps open. The
+   * thinner it is, the higher the pressure that drives the oil away from a
+   * contact, and the shorter the steps that Newton's method needs.
    */
   struct FilmGap
   {
-    double residual = 2e-9; ///< h_r > 0 [m]
+    double residual = 1e-8; ///< h_r > 0 [m]
 
     double
     value(const double gap) const

@@ -174,11 +174,9 @@ namespace asperity
                  const FilmState                   &end,
                  const std::vector<FilmState>      &states) const;
 
+    /** Why there is no solution, or not one only; else empty. */
     std::string
-    explanation(const FilmGeometry           &geometry,
-                const FilmStep               &step,
-                const std::vector<FilmState> &states,
-                const std::string            &reason) const;
+    contradiction(const FilmGeometry &geometry, const FilmStep &step) const;
 
     FilmLubricant lubricant_;
     unsigned int  n;
