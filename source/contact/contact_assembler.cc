@@ -243,11 +243,41 @@ namespace asperity
 
 
 
+  double
+  ContactAssembler::touching_length() const
+  {
+    // A mortar pressure reaches a support beyond the touching points; those
+    // touch where the penalty law alone would press. A hard mortar contact
+    // closes gaps in the mean over a function only, and its points open and
+    // close at random; but where every function presses, all of them touch.
+    const bool mortar = (options_.formulation == ContactFormulation::mortar);
+    double     length = 0.;
+    for (unsigned int e = 0; e < table_.elements.size(); ++e)
+      {
+        const auto &functions = element_functions[e];
+        const bool  inside =
+          mortar &&
+          std::all_of(functions.begin(), functions.end(), [&](const auto a) {
+            return function_pressure[a] > 0.;
+          });
+        for (unsigned int q = 0; q < table_.points_per_element; ++q)
+          {
+            const unsigned int point = table_.elements[e].first_point + q;
+            const double       p     = point_pressure[point];
+            if (inside || (p > 0. && p > options_.penalty * gap[point].gap))
+              length += table_.JxW[point];
+          }
+      }
+    return length;
+  }
+
+
+
   ContactState
   ContactAssembler::state() const
   {
     ContactState state;
-    double       length = 0., in_contact = 0.;
+    double       length = 0.;
     for (unsigned int q = 0; q < gap.size(); ++q)
       {
         const double p = point_pressure[q];
@@ -256,10 +286,6 @@ namespace asperity
         state.max_pressure = std::max(state.max_pressure, p);
         state.mean_gap += std::max(gap[q].gap, 0.) * table_.JxW[q];
         state.max_penetration = std::max(state.max_penetration, -gap[q].gap);
-        // A mortar pressure reaches a support beyond the touching points;
-        // those touch where the penalty law alone would press.
-        if (p > options_.penalty * gap[q].gap && p > 0.)
-          in_contact += table_.JxW[q];
       }
     const std::vector<double> &pressures =
       (options_.formulation == ContactFormulation::mortar) ? function_pressure :
@@ -268,7 +294,7 @@ namespace asperity
       state.constraint_violation =
         std::max(state.constraint_violation,
                  std::abs(pressures[i] - multiplier[i]) / options_.penalty);
-    state.contact_fraction = in_contact / length;
+    state.contact_fraction = touching_length() / length;
     state.mean_gap /= length;
     return state;
   }

@@ -7,6 +7,31 @@ namespace asperity
   using dealii::Tensor;
   using Matrix = dealii::SparseMatrix<double>;
 
+  namespace
+  {
+    /** K_ab += factor N_a N_b v (x) v at point q of an element, for the
+     *  functions in the given columns of the table. */
+    void
+    add_dyad(const BasisTable::Element       &element,
+             const std::vector<unsigned int> &columns,
+             const unsigned int               q,
+             const double                     factor,
+             const Tensor<1, 2>              &v,
+             Matrix                          &tangent)
+    {
+      const double *N = &element.values[q * element.functions.size()];
+      for (const unsigned int a : columns)
+        for (const unsigned int b : columns)
+          for (unsigned int i = 0; i < 2; ++i)
+            for (unsigned int j = 0; j < 2; ++j)
+              tangent.add(2 * element.functions[a] + i,
+                          2 * element.functions[b] + j,
+                          factor * N[a] * N[b] * v[i] * v[j]);
+    }
+  } // namespace
+
+
+
   void
   ContactAssembler::add_curvature(Matrix &tangent) const
   {
@@ -14,30 +39,25 @@ namespace asperity
     // the centre of curvature of a valley the closest point jumps; the bound
     // keeps the term finite there, where gaps are large and pressures zero.
     for (unsigned int e = 0; e < table_.elements.size(); ++e)
-      {
-        const auto        &element = table_.elements[e];
-        const unsigned int n       = element.functions.size();
-        for (unsigned int q = 0; q < table_.points_per_element; ++q)
-          {
-            const unsigned int point = element.first_point + q;
-            if (point_pressure[point] == 0.)
-              continue;
-            const GapPoint &g = gap[point];
-            const double    hessian =
-              g.curvature / std::max(0.1, 1. + g.curvature * g.gap);
-            const double factor =
-              -point_pressure[point] * hessian * table_.JxW[point];
-            const double t[2] = {-g.normal[1], g.normal[0]};
-            for (const unsigned int a : element_columns[e])
-              for (const unsigned int b : element_columns[e])
-                for (unsigned int i = 0; i < 2; ++i)
-                  for (unsigned int j = 0; j < 2; ++j)
-                    tangent.add(2 * element.functions[a] + i,
-                                2 * element.functions[b] + j,
-                                factor * element.values[q * n + a] *
-                                  element.values[q * n + b] * t[i] * t[j]);
-          }
-      }
+      for (unsigned int q = 0; q < table_.points_per_element; ++q)
+        {
+          const auto        &element = table_.elements[e];
+          const unsigned int point   = element.first_point + q;
+          if (point_pressure[point] == 0.)
+            continue;
+          const GapPoint &g = gap[point];
+          const double    hessian =
+            g.curvature / std::max(0.1, 1. + g.curvature * g.gap);
+          Tensor<1, 2> tangential;
+          tangential[0] = -g.normal[1];
+          tangential[1] = g.normal[0];
+          add_dyad(element,
+                   element_columns[e],
+                   q,
+                   -point_pressure[point] * hessian * table_.JxW[point],
+                   tangential,
+                   tangent);
+        }
   }
 
 
@@ -92,26 +112,17 @@ namespace asperity
   ContactAssembler::add_point_stiffness(Matrix &tangent) const
   {
     for (unsigned int e = 0; e < table_.elements.size(); ++e)
-      {
-        const auto        &element = table_.elements[e];
-        const unsigned int n       = element.functions.size();
-        for (unsigned int q = 0; q < table_.points_per_element; ++q)
-          {
-            const unsigned int point = element.first_point + q;
-            if (point_pressure[point] == 0.)
-              continue;
-            const Tensor<1, 2> &normal = gap[point].normal;
-            const double        factor = options_.penalty * table_.JxW[point];
-            for (const unsigned int a : element_columns[e])
-              for (const unsigned int b : element_columns[e])
-                for (unsigned int i = 0; i < 2; ++i)
-                  for (unsigned int j = 0; j < 2; ++j)
-                    tangent.add(2 * element.functions[a] + i,
-                                2 * element.functions[b] + j,
-                                factor * element.values[q * n + a] *
-                                  element.values[q * n + b] * normal[i] *
-                                  normal[j]);
-          }
-      }
+      for (unsigned int q = 0; q < table_.points_per_element; ++q)
+        {
+          const auto        &element = table_.elements[e];
+          const unsigned int point   = element.first_point + q;
+          if (point_pressure[point] > 0.)
+            add_dyad(element,
+                     element_columns[e],
+                     q,
+                     options_.penalty * table_.JxW[point],
+                     gap[point].normal,
+                     tangent);
+        }
   }
 } // namespace asperity

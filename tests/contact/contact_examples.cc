@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace example
 {
@@ -231,54 +232,76 @@ namespace example
 
 
 
+  namespace
+  {
+    /** Rms deviations from the forces while the tool slid over one element. */
+    void
+    measure_ripple(Ironing &result)
+    {
+      const unsigned int n        = result.vertical.size();
+      double             vertical = 0., lateral = 0., sum = 0., absolute = 0.;
+      result.vertical_force =
+        std::accumulate(result.vertical.begin(), result.vertical.end(), 0.) / n;
+      for (unsigned int k = 0; k < n; ++k)
+        {
+          vertical += std::pow(result.vertical[k] - result.vertical_force, 2);
+          lateral += std::pow(result.lateral[k], 2);
+          sum += result.lateral[k];
+          absolute += std::abs(result.lateral[k]);
+        }
+      result.vertical_ripple = std::sqrt(vertical / n) / result.vertical_force;
+      result.lateral_ripple  = std::sqrt(lateral / n) / result.vertical_force;
+      result.lost_work       = std::abs(sum) / absolute;
+    }
+  } // namespace
+
+
+
   Ironing
   ironing(const Discretization &discretization,
-          const unsigned int    steps_per_element)
+          const unsigned int    steps_per_element,
+          const IroningTool     tool)
   {
     const unsigned int n = std::lround(0.5 * discretization.resolution);
-    const double       h = 3. / n;
-    const Point<2>     lowest_point(4.5, 0.);
-    ContactProblem     problem(
+    const double       h = 3. / n, length = 9.;
+    const bool         is_wave = (tool == IroningTool::wave_without_edge);
+    const double       depth   = is_wave ? 0.6 : 0.3;
+    std::shared_ptr<const RigidObstacle> obstacle;
+    if (is_wave)
+      obstacle = periodic_tool(
+        [=](const double x) {
+          return 0.15 * (1. - std::cos(2. * M_PI * x / length));
+        },
+        length,
+        96);
+    else
+      obstacle = std::make_shared<Cylinder>(Point<2>(0.5 * length, 0.), 3.);
+    ContactProblem problem(
       std::make_shared<SplineSpace>(
-        KnotVector(discretization.degree, equal_steps(0., 9., 3 * n), true),
+        KnotVector(discretization.degree, equal_steps(0., length, 3 * n), true),
         KnotVector(discretization.degree, equal_steps(-3., 0., n))),
       neo_hooke(0.32),
-      std::make_shared<Cylinder>(lowest_point, 3.),
+      obstacle,
       contact_options(discretization, h));
     problem.options.tolerance = 1e-10;
     Ironing result;
     for (unsigned int k = 1; k <= 10; ++k)
-      if (!problem.solve(0., -0.03 * k).converged)
+      if (!problem.solve(0., -0.1 * depth * k).converged)
         return result;
-    double sum = 0.;
     for (unsigned int k = 0; k < steps_per_element; ++k)
       {
         const double x = h * k / steps_per_element;
-        if (!problem.solve(x, -0.3).converged)
+        if (!problem.solve(x, -depth).converged)
           return result;
         const auto force = problem.contact->state().force;
         result.position.push_back(x);
         result.vertical.push_back(-force[1]);
         result.lateral.push_back(force[0]);
-        result.vertical_force -= force[1] / steps_per_element;
-        sum += force[0];
       }
-    double absolute = 0.;
-    for (unsigned int k = 0; k < steps_per_element; ++k)
-      {
-        const double d = result.vertical[k] - result.vertical_force;
-        result.vertical_ripple += d * d / steps_per_element;
-        result.lateral_ripple +=
-          result.lateral[k] * result.lateral[k] / steps_per_element;
-        absolute += std::abs(result.lateral[k]);
-      }
-    result.vertical_ripple =
-      std::sqrt(result.vertical_ripple) / result.vertical_force;
-    result.lateral_ripple =
-      std::sqrt(result.lateral_ripple) / result.vertical_force;
-    result.lost_work  = std::abs(sum) / absolute;
-    result.iterations = problem.statistics.iterations;
-    result.converged  = true;
+    measure_ripple(result);
+    result.contact_fraction = problem.contact->state().contact_fraction;
+    result.iterations       = problem.statistics.iterations;
+    result.converged        = true;
     return result;
   }
 } // namespace example

@@ -101,7 +101,7 @@ namespace example
     double depth         = 0.;
   };
 
-  /** Ripple of the force while a rigid cylinder slides over a slab. */
+  /** Ripple of the force while a rigid tool slides over a slab. */
   struct Ironing
   {
     bool   converged       = false;
@@ -112,20 +112,28 @@ namespace example
     /** |int T_x dx| / int |T_x| dx over one element: energy lost. */
     double lost_work = 0.;
 
-    std::vector<double> position, vertical, lateral;
-    unsigned int        iterations = 0;
+    std::vector<double> position, vertical, lateral; ///< [m], [N/m], [N/m]
+    double              contact_fraction = 0.;       ///< at the end
+    unsigned int        iterations       = 0;
+  };
+
+  enum class IroningTool
+  {
+    cylinder,         ///< of radius 3, pressed 0.3 deep
+    wave_without_edge ///< as long as the slab, pressed 0.6 deep: all touches
   };
 
   /**
    * Shallow ironing after K. A. Fischer, P. Wriggers, CMAME 195 (2006)
    * 5020-5036: a neo-Hooke slab 9 x 3 (nu = 0.32), square elements, periodic in
-   * x, pressed 0.3 deep by a rigid cylinder of radius 3, which then slides.
+   * x, pressed by a rigid cylinder or a wave, which then slides.
    * Nothing but the mesh varies along the slab, so that the exact force is
    * constant, and one element is a whole period of the numerical one.
    */
   Ironing
   ironing(const Discretization &discretization,
-          const unsigned int    steps_per_element);
+          const unsigned int    steps_per_element,
+          const IroningTool     tool = IroningTool::cylinder);
 } // namespace example
 
 #endif

@@ -77,7 +77,7 @@ namespace example
      * Lowers the obstacle until it presses with a force, by the secant method.
      * @param force [N/m], positive
      * @param depth where to start [m], positive downwards
-     * @return the depth, or nothing but NaN if it was not found
+     * @return the depth, or NaN if none was found
      */
     double
     press(const double force, const double depth);

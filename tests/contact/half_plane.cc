@@ -72,6 +72,20 @@ namespace
       }
   }
 
+  TEST(MortarContact, FractionIsThatOfTheTouchingZoneForAHardPenaltyToo)
+  {
+    // Points within a hard contact open and close at random.
+    example::Discretization discretization;
+    discretization.penalty_factor = 1000.;
+    discretization.resolution     = 128.;
+    example::Westergaard wave(discretization);
+    for (const double a : {0.1, 0.25})
+      {
+        ASSERT_TRUE(wave.press(a)) << wave.problem->last.reason;
+        EXPECT_NEAR(wave.half_width(), a, wave.element_length) << a;
+      }
+  }
+
   TEST_P(HalfPlaneContact, AugmentationRemovesWhatASoftPenaltyPenetrates)
   {
     discretization.resolution     = 64.;

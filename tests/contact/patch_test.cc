@@ -64,7 +64,11 @@ namespace
     return space;
   }
 
-  /** (degree, formulation, locally refined edge) */
+  /**
+   * A block under a rigid ceiling: (degree, formulation, locally refined edge).
+   * The scene's tool is rigid, so this is the patch test it needs; contact of
+   * two meshes, which this program has not, would need that of two blocks.
+   */
   class PatchTest : public testing::TestWithParam<
                       std::tuple<unsigned int, ContactFormulation, bool>>
   {};

@@ -89,8 +89,28 @@ namespace
     EXPECT_LT(ripple(GetParam(), 2, 32.), coarse / 3.);
   }
 
-  // The ripple of the mortar form hardly depends on the order: presumably it is
-  // that of functions which enter and leave contact one by one.
+  TEST_P(Sliding, IroningWithoutAnEdgeOfContactHasNoRipple)
+  {
+    // All of the ripple comes from the edge of contact passing the elements:
+    // where everything touches, forces are those of smooth integrands.
+    for (unsigned int degree = 1; degree <= 3; ++degree)
+      {
+        example::Discretization discretization;
+        discretization.formulation = GetParam();
+        discretization.degree      = degree;
+        const example::Ironing result =
+          example::ironing(discretization,
+                           8,
+                           example::IroningTool::wave_without_edge);
+        ASSERT_TRUE(result.converged);
+        EXPECT_DOUBLE_EQ(result.contact_fraction, 1.);
+        EXPECT_LT(result.vertical_ripple, 1e-6);
+        EXPECT_LT(result.lateral_ripple, 1e-6);
+      }
+  }
+
+  // The mortar form does not resolve the edge better with the order: a function
+  // across the edge has one pressure, and it is the wider the higher the order.
   TEST(Ironing, RippleOfTheGaussPointFormFallsAsTheOrderRises)
   {
     const auto   formulation = ContactFormulation::gauss_point;

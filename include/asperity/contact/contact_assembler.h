@@ -127,6 +127,10 @@ namespace asperity
     void
     set_pressures();
 
+    /** Reference length in contact [m]. */
+    double
+    touching_length() const;
+
     void
     add_residual(dealii::Vector<double> &residual) const;
 
