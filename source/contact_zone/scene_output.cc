@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -91,7 +92,10 @@ namespace asperity
     last_picture            = step;
 
     ChipFields fields;
-    fields.displacement         = run.state().u;
+    fields.displacement.reinit(scene.n_dofs());
+    std::copy_n(run.state().u.begin(),
+                scene.n_dofs(),
+                fields.displacement.begin());
     const auto         &history = scene.chip->history();
     std::vector<double> strain(history.size()), temperature(history.size());
     for (std::size_t q = 0; q < history.size(); ++q)

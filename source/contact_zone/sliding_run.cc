@@ -137,8 +137,7 @@ namespace asperity
     options.maximum_iterations = parameters.solver.maximum_iterations;
     options.tolerance =
       parameters.solver.tolerance * parameters.load.pressure * scene.length;
-    if (parameters.lubrication.model == LubricantModel::reynolds)
-      options.merit = NewtonMerit::residual_norm;
+    options.n_energy_components = scene.n_dofs();
     for (unsigned int augmentations = 0;;)
       {
         ConvergenceReport report =
@@ -203,7 +202,8 @@ namespace asperity
       list.push_back(extrapolation);
     if (dynamics_)
       list.push_back([this, dt]() { return dynamics_->predict(dt); });
-    if (state_.step > 0)
+    // At the start nothing but oil that is solved for can carry the chip.
+    if (state_.step > 0 || scene.n_unknowns() > scene.n_dofs())
       list.push_back(translation);
     if (!dynamics_)
       list.push_back(touch);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace asperity
 {
@@ -32,7 +33,7 @@ namespace asperity
       bool
       advance(Vector &u, Vector &R, const Vector &d)
       {
-        const double s0   = R * d;
+        const double s0   = energy_slope(R, d);
         const double norm = system.norm(R);
         const Vector u0   = u;
         double       a = 1., low = 0., high = 1., s_low = s0, s_high = 0.;
@@ -56,7 +57,7 @@ namespace asperity
                 a         = 0.5 * (low + a);
                 continue;
               }
-            const double s = R * d;
+            const double s = energy_slope(R, d);
             if (acceptable(s, s0, system.norm(R), norm))
               {
                 if (!with_tangent && system.norm(R) > options.tolerance)
@@ -75,6 +76,18 @@ namespace asperity
       }
 
     private:
+      /** R.d, see NewtonOptions::n_energy_components. */
+      double
+      energy_slope(const Vector &R, const Vector &d) const
+      {
+        if (options.n_energy_components == 0)
+          return R * d;
+        return std::inner_product(R.begin(),
+                                  R.begin() + options.n_energy_components,
+                                  d.begin(),
+                                  0.);
+      }
+
       bool
       acceptable(const double s,
                  const double s0,

@@ -107,3 +107,12 @@ TEST(Restart, keeps_the_oil_of_each_pocket)
   parameters.lubrication.sealing_gap             = 0.;
   expect_identical_rest(parameters, 7);
 }
+
+TEST(Restart, keeps_the_oil_of_a_film)
+{
+  SceneParameters parameters     = coarse_scene();
+  parameters.lubrication.model   = LubricantModel::reynolds;
+  parameters.lubrication.wetting = 0.8;
+  for (const unsigned int stop : {2, 9})
+    expect_identical_rest(parameters, stop);
+}

@@ -51,6 +51,10 @@ namespace asperity
 
     NewtonMerit merit = NewtonMerit::energy;
 
+    /** Merit `energy`: only so many first components count in R.d, e.g. those
+     *  of a solid beside a fluid whose equations have no energy; 0: all. */
+    unsigned int n_energy_components = 0;
+
     /** A step is accepted if |R(u + a d).d| <= this times |R(u).d|. */
     double       line_search_tolerance = 0.8;
     unsigned int line_search_trials    = 8;

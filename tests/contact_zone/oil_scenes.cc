@@ -117,3 +117,47 @@ TEST(PocketScene, surfaces_that_seal_everywhere_do_not_stop_the_run)
       EXPECT_EQ(row.oil_pressure, 0.);
     }
 }
+
+namespace
+{
+  SceneParameters
+  film_scene(const double wetting)
+  {
+    SceneParameters parameters   = pocket_scene(wetting, 300e6);
+    parameters.lubrication.model = LubricantModel::reynolds;
+    return parameters;
+  }
+} // namespace
+
+TEST(FilmScene, film_and_contact_carry_the_load_and_no_oil_is_lost)
+{
+  for (const double wetting : {0.6, 1.})
+    {
+      const CompleteRun run(film_scene(wetting));
+      const double      mass = run.rows()[1].oil_reference_volume;
+      for (std::size_t i = 1; i < run.rows().size(); ++i)
+        {
+          const FrictionRow &row = run.rows()[i];
+          EXPECT_NEAR(row.T_y,
+                      -run.run.protocol().pressure(row.time) * run.scene.length,
+                      1e-6 * run.load())
+            << "step " << row.step;
+          EXPECT_NEAR(row.oil_reference_volume, mass, 1e-12 * mass);
+          EXPECT_LT(row.shear_T_x, 0.);
+        }
+      EXPECT_GT(run.rows().back().max_oil_pressure, 0.);
+    }
+}
+
+TEST(FilmScene, slow_and_thin_oil_is_a_pocket)
+{
+  // Without flow the pressure is one: that of the connected pocket.
+  SceneParameters parameters                     = film_scene(1.);
+  parameters.lubrication.oil.viscosity.viscosity = 1e-7;
+  const CompleteRun film(parameters);
+  parameters.lubrication.model = LubricantModel::pocket;
+  const CompleteRun  pocket(parameters);
+  const FrictionRow &a = film.rows().back(), &b = pocket.rows().back();
+  EXPECT_NEAR(a.oil_pressure, b.oil_pressure, 0.01 * b.oil_pressure);
+  EXPECT_NEAR(a.void_volume, b.void_volume, 0.01 * b.void_volume);
+}
