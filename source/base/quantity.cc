@@ -86,6 +86,8 @@ namespace asperity
       {"GPa/um", D::stress_per_length, 1e15, 1, 0},
       {"N/m3", D::stress_per_length, 1, 1, 0},
       {"N/mm3", D::stress_per_length, 1e9, 1, 0},
+      {"Pa s/m", D::impedance, 1, 1, 0},
+      {"MPa s/m", D::impedance, 1e6, 1, 0},
       {"N/m", D::line_load, 1, 1, 0},
       {"kN/m", D::line_load, 1e3, 1, 0},
       {"N/mm", D::line_load, 1e3, 1, 0},
@@ -205,6 +207,8 @@ namespace asperity
           return "reciprocal stress";
         case Dimension::stress_per_length:
           return "stress per length";
+        case Dimension::impedance:
+          return "impedance";
         case Dimension::line_load:
           return "line load";
         case Dimension::density:

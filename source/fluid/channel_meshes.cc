@@ -2,6 +2,7 @@
 
 #include <deal.II/base/point.h>
 #include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 
 #include <array>
@@ -167,6 +168,8 @@ namespace asperity
     coarse.add_blocks(
       {0.3, 0.4, 0.5, flag_end, 0.7, 0.85, 1.05, 1.3, 1.6, 2., length},
       {0., 0.1, flag_low, flag_high, 0.3, height});
+    // Neighbours have to see their edges in the same direction.
+    dealii::GridTools::consistently_order_cells(coarse.cells);
     mesh.create_triangulation(coarse.vertices, coarse.cells, {});
     for (const auto &face : mesh.active_face_iterators())
       if (face->at_boundary())

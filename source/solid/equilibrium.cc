@@ -197,6 +197,17 @@ namespace asperity
 
 
 
+  void
+  Equilibrium::back_substitute(Vector &force) const
+  {
+    for (unsigned int i = 0; i < force.size(); ++i)
+      if (is_prescribed[i])
+        force(i) = 0.;
+    solver->solve(force);
+  }
+
+
+
   bool
   Equilibrium::forces(const Vector &u, Vector &R)
   {

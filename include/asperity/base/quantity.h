@@ -20,6 +20,7 @@ namespace asperity
     stress,               // Pa, also pressures and moduli
     inverse_stress,       // 1/Pa
     stress_per_length,    // Pa/m, contact penalties
+    impedance,            // Pa s/m, stress over velocity
     line_load,            // N/m, a force per thickness of a plane model
     density,              // kg/m3
     viscosity,            // Pa s

@@ -80,6 +80,11 @@ namespace asperity
     bool
     prescribe(dealii::Vector<double> &u, const dealii::Vector<double> &target);
 
+    /** Replaces a force by the displacement that it causes under the tangent
+     *  that direction() has factorised last, with its inertia and weights. */
+    void
+    back_substitute(dealii::Vector<double> &force) const;
+
     /** Sum of force terms without load, inertia and prescription: at the
      *  prescribed components these are the reactions. */
     bool

@@ -1,0 +1,81 @@
+#ifndef asperity_coupling_ale_fluid_h
+#define asperity_coupling_ale_fluid_h
+
+#include <asperity/coupling/coupling_sides.h>
+#include <asperity/fluid/navier_stokes.h>
+
+#include <functional>
+#include <vector>
+
+namespace asperity
+{
+  /**
+   * A flow on a mesh that follows its wall, as one side of a coupled step. The
+   * interface's nodes are the wall's velocity nodes.
+   *
+   * The flow's own boundary conditions are the caller's, but for that of the
+   * wall; to conserve volume it has to know the wall as a material one
+   * (NavierStokes::set_material_walls()).
+   */
+  class AleFluid : public FluidSide
+  {
+  public:
+    /** From the displacement of the wall to that of the whole mesh, both by
+     *  geometry_dofs() of the flow's space. */
+    using MeshUpdate = std::function<Vector(const Vector &)>;
+
+    /**
+     * @param flow must outlive this object; velocity and geometry of the same
+     *   degree, so that mesh and flow have their nodes in common
+     * @param wall boundary ids of the interface
+     * @throw InputError if the degrees differ
+     */
+    AleFluid(NavierStokes      &flow,
+             const BoundaryIds &wall,
+             const MeshUpdate  &mesh_update);
+
+    void
+    begin_step(const double dt) override;
+
+    ConvergenceReport
+    solve(const WallCondition &condition, WallResponse &response) override;
+
+    void
+    accept() override;
+
+    bool
+    is_sealed() const override;
+
+    double
+    rate_coefficient() const override;
+
+    Vector
+    lengths() const override;
+
+    std::vector<Vector>
+    uniform_loads() const override;
+
+    /** Reference positions of the nodes of the interface [m]. */
+    std::vector<dealii::Point<2>>
+    positions() const;
+
+  private:
+    void
+    match_geometry();
+
+    /** The integrals over the wall of each node's function, and of it times
+     *  the outward normal, on the present mesh. */
+    void
+    integrate(std::vector<double> &length, NodalVectors &normal) const;
+
+    NavierStokes &flow;
+    BoundaryIds   wall;
+    MeshUpdate    mesh_update;
+
+    /** Of the geometry space, by components of the interface. */
+    std::vector<unsigned int> geometry_dof;
+    double                    rate = 0.;
+  };
+} // namespace asperity
+
+#endif

@@ -1,0 +1,100 @@
+#ifndef asperity_coupling_fluid_structure_h
+#define asperity_coupling_fluid_structure_h
+
+#include <asperity/coupling/ale_fluid.h>
+#include <asperity/coupling/partitioned_step.h>
+#include <asperity/coupling/spline_solid.h>
+#include <asperity/mesh_motion/elastic_mesh_update.h>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace asperity
+{
+  struct FluidStructureOptions
+  {
+    FluidOptions       fluid;
+    SplineSolidOptions solid;
+    CouplingParameters coupling;
+
+    /** The mesh is stiffer where its cells are small, ElasticMeshOptions. */
+    double mesh_stiffening = 1.;
+  };
+
+  /** The elastic body of a FluidStructure: a patch and where it is held. */
+  struct SplineBody
+  {
+    std::shared_ptr<const SplineSpace> space;
+    PatchGeometry                      geometry;
+    std::shared_ptr<const MaterialLaw> law;
+
+    std::vector<Edge> clamped; ///< edges that do not move
+    std::vector<Edge> wet;     ///< edges that the fluid touches
+  };
+
+
+
+  /**
+   * A plane flow and an elastic spline body in it, from rest: the flow on a
+   * mesh that follows the body by the elastic mesh update, all other boundaries
+   * of the mesh held, and the two coupled by PartitionedStep.
+   *
+   * Boundary conditions of the flow besides those of the wall are set through
+   * flow() before the first step.
+   */
+  class FluidStructure
+  {
+  public:
+    /**
+     * @param mesh of the fluid, must outlive this object and not change
+     * @param wall its boundaries on the body's wet edges
+     * @throw InputError if mesh and body do not touch, or the coupling scheme
+     *   is impossible
+     */
+    FluidStructure(const dealii::Triangulation<2> &mesh,
+                   const BoundaryIds              &wall,
+                   const SplineBody               &body,
+                   const FluidStructureOptions    &options);
+
+    /** A further load or support of the body, before the first step. */
+    void
+    add_term(ForceTerm &term);
+
+    /** One coupled step; see PartitionedStep::advance(). */
+    ConvergenceReport
+    advance(const double dt);
+
+    NavierStokes &
+    flow();
+
+    PartitionedStep &
+    coupling();
+
+    /** Of the body at a parameter of its patch [m]. */
+    dealii::Tensor<1, 2>
+    displacement(const dealii::Point<2> &parameter) const;
+
+    const SplineSolid &
+    solid() const;
+
+  private:
+    /** Builds the sides, when all terms are known. */
+    void
+    start();
+
+    FluidStructureOptions            options;
+    BoundaryIds                      wall;
+    SplineBody                       body;
+    NavierStokes                     flow_;
+    ElasticMeshUpdate                mesh_update;
+    AleFluid                         fluid_side;
+    Interface                        interface;
+    SolidAssembler                   assembler;
+    std::vector<ForceTerm *>         further_terms;
+    std::unique_ptr<SplineSolid>     solid_side;
+    std::unique_ptr<PartitionedStep> step;
+  };
+} // namespace asperity
+
+#endif

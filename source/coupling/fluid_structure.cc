@@ -1,0 +1,142 @@
+#include <asperity/coupling/fluid_structure.h>
+
+#include <deal.II/base/bounding_box.h>
+
+namespace asperity
+{
+  using dealii::Tensor;
+
+  namespace
+  {
+    /** Fluid nodes may miss the body's edge by this share of the body's size:
+     *  the accuracy to which positions are known. */
+    constexpr double gap_tolerance = 1e-6;
+
+    ElasticMeshOptions
+    mesh_options(const dealii::Triangulation<2> &mesh, const double stiffening)
+    {
+      ElasticMeshOptions options;
+      options.stiffening_exponent = stiffening;
+      for (const auto id : mesh.get_boundary_ids())
+        options.prescribed.insert(id);
+      return options;
+    }
+
+
+
+    Interface
+    make_interface(const AleFluid &fluid, const SplineBody &body)
+    {
+      const auto   positions = fluid.positions();
+      const double size = dealii::BoundingBox<2>(positions).side_length(0) +
+                          dealii::BoundingBox<2>(positions).side_length(1);
+      return Interface(*body.space,
+                       body.geometry,
+                       find_on_edges(*body.space,
+                                     body.geometry,
+                                     body.wet,
+                                     positions,
+                                     gap_tolerance * size));
+    }
+  } // namespace
+
+
+
+  FluidStructure::FluidStructure(const dealii::Triangulation<2> &mesh,
+                                 const BoundaryIds              &wall,
+                                 const SplineBody               &body,
+                                 const FluidStructureOptions    &options)
+    : options(options)
+    , wall(wall)
+    , body(body)
+    , flow_(mesh, options.fluid)
+    , mesh_update(flow_.space().geometry_dofs(),
+                  flow_.space().reference_mapping(),
+                  mesh_options(mesh, options.mesh_stiffening))
+    , fluid_side(flow_,
+                 wall,
+                 [this](const dealii::Vector<double> &displacement) {
+                   return mesh_update.update(displacement);
+                 })
+    , interface(make_interface(fluid_side, body))
+    , assembler(body.space, body.geometry, body.law)
+  {
+    flow_.set_material_walls(wall);
+  }
+
+
+
+  void
+  FluidStructure::add_term(ForceTerm &term)
+  {
+    further_terms.push_back(&term);
+  }
+
+
+
+  void
+  FluidStructure::start()
+  {
+    std::vector<bool> is_prescribed(2 * body.space->n_functions(), false);
+    for (const Edge edge : body.clamped)
+      for (const unsigned int a : body.space->edge_functions(edge))
+        is_prescribed[2 * a] = is_prescribed[2 * a + 1] = true;
+    solid_side = std::make_unique<SplineSolid>(
+      assembler, further_terms, is_prescribed, interface, options.solid);
+    step = std::make_unique<PartitionedStep>(*solid_side,
+                                             fluid_side,
+                                             options.coupling);
+  }
+
+
+
+  ConvergenceReport
+  FluidStructure::advance(const double dt)
+  {
+    return coupling().advance(dt);
+  }
+
+
+
+  NavierStokes &
+  FluidStructure::flow()
+  {
+    return flow_;
+  }
+
+
+
+  PartitionedStep &
+  FluidStructure::coupling()
+  {
+    if (step == nullptr)
+      start();
+    return *step;
+  }
+
+
+
+  Tensor<1, 2>
+  FluidStructure::displacement(const dealii::Point<2> &parameter) const
+  {
+    Tensor<1, 2> value;
+    if (solid_side == nullptr)
+      return value;
+    const dealii::Vector<double> &u    = solid_side->displacement();
+    const unsigned int            cell = body.space->find_cell(parameter);
+    std::vector<double>           N;
+    body.space->evaluate(cell, parameter, N);
+    for (unsigned int a = 0; a < N.size(); ++a)
+      for (unsigned int c = 0; c < 2; ++c)
+        value[c] += N[a] * u(2 * body.space->cell_functions(cell)[a] + c);
+    return value;
+  }
+
+
+
+  const SplineSolid &
+  FluidStructure::solid() const
+  {
+    return *solid_side;
+  }
+} // namespace asperity
