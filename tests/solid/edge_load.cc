@@ -1,20 +1,10 @@
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include "loaded_solid.h"
 
 namespace
 {
   using namespace loaded_solid;
-
-  /** A curved patch away from the axis, with corners (1, 0) and (3, 1). */
-  Point<2>
-  curved(const Point<2> &xi)
-  {
-    return {1. + 2. * xi[0] + 0.2 * std::sin(2. * xi[1]),
-            xi[1] + 0.3 * xi[0] * xi[0] * (1. + xi[1])};
-  }
 
   std::shared_ptr<SplineSpace>
   refined_space(const unsigned int degree)
@@ -25,19 +15,6 @@ namespace
     });
     return space;
   }
-
-  Vector
-  random_vector(const unsigned int n, const double size)
-  {
-    std::mt19937                           generator(3);
-    std::uniform_real_distribution<double> uniform(-size, size);
-    Vector                                 u(n);
-    for (double &x : u)
-      x = uniform(generator);
-    return u;
-  }
-
-  const Edge edges[] = {Edge::left, Edge::right, Edge::bottom, Edge::top};
 
   const auto uneven = [](const Point<2> &X) { return 2. + X[0] * X[1]; };
 
@@ -58,10 +35,10 @@ TEST(EdgeLoad, FollowerTangentIsTheDerivativeOfItsForce)
   for (const auto kinematics :
        {Kinematics::plane_strain, Kinematics::axisymmetric})
     for (unsigned int degree = 1; degree <= 3; ++degree)
-      for (const Edge edge : edges)
+      for (const Edge edge : all_edges)
         {
           const auto space    = refined_space(degree);
-          const auto geometry = PatchGeometry::from_map(*space, curved);
+          const auto geometry = PatchGeometry::from_map(*space, bent_rectangle);
           EdgeLoad   load     = EdgeLoad::follower_pressure(
             *space, geometry, edge, uneven, kinematics);
           load.set_factor(0.7);
@@ -79,10 +56,10 @@ TEST(EdgeLoad, FollowerTangentIsTheDerivativeOfItsForce)
 TEST(EdgeLoad, UniformPressureAllAroundHasNoResultant)
 {
   const auto   space    = refined_space(3);
-  const auto   geometry = PatchGeometry::from_map(*space, curved);
+  const auto   geometry = PatchGeometry::from_map(*space, bent_rectangle);
   const Vector u        = random_vector(2 * space->n_functions(), 0.05);
   Vector       R(u.size());
-  for (const Edge edge : edges)
+  for (const Edge edge : all_edges)
     EdgeLoad::follower_pressure(*space, geometry, edge, [](const Point<2> &) {
       return 5.;
     }).add(u, R, nullptr);
@@ -95,8 +72,8 @@ TEST(EdgeLoad, PressureForceIsThatOfTheChordOfTheDeformedEdge)
 {
   // The resultant of a uniform pressure on any curve is that on its chord.
   const auto space    = refined_space(2);
-  const auto geometry = PatchGeometry::from_map(*space, curved);
-  Body       body(space, curved, make_material_law(MaterialParameters()));
+  const auto geometry = PatchGeometry::from_map(*space, bent_rectangle);
+  Body body(space, bent_rectangle, make_material_law(MaterialParameters()));
   body.u = random_vector(2 * space->n_functions(), 0.1);
   Vector R(body.u.size());
   EdgeLoad::follower_pressure(*space,

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -50,6 +51,32 @@ namespace loaded_solid
   {
     return std::make_shared<SplineSpace>(KnotVector(degree, x),
                                          KnotVector(degree, y));
+  }
+
+  constexpr Edge all_edges[] = {Edge::left,
+                                Edge::right,
+                                Edge::bottom,
+                                Edge::top};
+
+  /** A curved patch away from the axis, with corners (1, 0) and (3, 1) before
+   *  its bends. */
+  inline Point<2>
+  bent_rectangle(const Point<2> &xi)
+  {
+    return {1. + 2. * xi[0] + 0.2 * std::sin(2. * xi[1]),
+            xi[1] + 0.3 * xi[0] * xi[0] * (1. + xi[1])};
+  }
+
+  /** Entries equally distributed in [-size, size]. */
+  inline Vector
+  random_vector(const unsigned int n, const double size)
+  {
+    std::mt19937                           generator(3);
+    std::uniform_real_distribution<double> uniform(-size, size);
+    Vector                                 u(n);
+    for (double &x : u)
+      x = uniform(generator);
+    return u;
   }
 
   /** A patch of any shape, its law, supports, loads and Newton's method. */

@@ -9,14 +9,54 @@
 
 namespace loaded_solid
 {
+  /**
+   * Taylor's bar of 42CrMo4 that hits a rigid wall without friction, with
+   * Johnson and Cook's flow stress and adiabatic heating: the axisymmetric
+   * impact sample of DynELA (O. Pantale, github.com/pantale/DynELA-v.-4.0,
+   * Documentation/ImpactSamples.tex). The wall is u_z = 0 on the struck end,
+   * as there.
+   */
+  namespace taylor
+  {
+    constexpr double radius      = 3.2e-3;    ///< [m]
+    constexpr double length      = 32.4e-3;   ///< [m]
+    constexpr double speed       = 287.;      ///< [m/s]
+    constexpr double density     = 7830.;     ///< [kg/m^3]
+    constexpr double end_time    = 80e-6;     ///< [s]
+    constexpr double room        = 293.15;    ///< temperature at the start [K]
+    constexpr double cells[2]    = {5., 50.}; ///< of the published mesh
+    constexpr double zero_degree = 273.15;    ///< Celsius [K]
+
+    inline MaterialParameters
+    steel()
+    {
+      MaterialParameters steel;
+      steel.law                                 = MaterialLawName::johnson_cook;
+      steel.elasticity.density                  = density;
+      steel.elasticity.young_modulus            = 206.9e9;
+      steel.elasticity.poisson_ratio            = 0.3;
+      steel.heating.adiabatic                   = true;
+      steel.heating.heat_capacity               = 460.;
+      steel.heating.heat_fraction               = 0.9;
+      steel.johnson_cook.A                      = 806e6;
+      steel.johnson_cook.B                      = 614e6;
+      steel.johnson_cook.n                      = 0.168;
+      steel.johnson_cook.C                      = 0.0089;
+      steel.johnson_cook.m                      = 1.1;
+      steel.johnson_cook.reference_rate         = 1.;
+      steel.johnson_cook.transition_temperature = room;
+      steel.johnson_cook.melting_temperature    = 1540. + zero_degree;
+      return steel;
+    }
+  } // namespace taylor
+
   struct TaylorBarResult
   {
     double length;   ///< [m]
     double diameter; ///< of the struck end [m]
 
-    /** In the middle of the first of 5 x 50 cells, next to the axis and the
-     *  wall: what Abaqus/Explicit, whose cells have one point, reports on the
-     *  published mesh [degC]. */
+    /** In the middle of the first cell of the published mesh, next to the axis
+     *  and the wall: where Abaqus/Explicit has that cell's one point [degC]. */
     double temperature;
     double plastic_strain; ///< at the same point
 
@@ -58,47 +98,51 @@ namespace loaded_solid
     return value;
   }
 
+  inline TaylorBarResult
+  measure_taylor_bar(const Body &bar)
+  {
+    const auto temperature = [](const MaterialState &point) {
+      return point.temperature - taylor::zero_degree;
+    };
+    const Point<2>  centre(0.5 / taylor::cells[0], 0.5 / taylor::cells[1]);
+    TaylorBarResult result;
+    result.length      = taylor::length + bar.displacement({0., 1.})[1];
+    result.diameter    = 2. * (taylor::radius + bar.displacement({1., 0.})[0]);
+    result.temperature = interpolate_history(bar.solid, centre, temperature);
+    result.plastic_strain =
+      interpolate_history(bar.solid, centre, [](const MaterialState &point) {
+        return point.plastic_strain;
+      });
+    result.max_temperature = 0.;
+    for (const MaterialState &point : bar.solid.history())
+      result.max_temperature =
+        std::max(result.max_temperature, temperature(point));
+    return result;
+  }
+
   /**
-   * Taylor's bar of 42CrMo4, radius 3.2 mm, length 32.4 mm, that hits a rigid
-   * wall without friction at 287 m/s and is followed for 80 us, with Johnson
-   * and Cook's flow stress and adiabatic heating (the Taylor sample of DynELA,
-   * O. Pantale). The wall is u_z = 0 on the struck end, as there.
-   * @param n_r cells over the radius, n_z along the bar, finer to the wall
+   * @param n_r equal cells over the radius
+   * @param n_z cells along the bar, four times as fine at the wall as at the
+   *   free end
+   * @param n_steps equal time steps
+   * @param rho spectral radius of generalized-alpha
    */
   inline TaylorBarResult
   taylor_bar(const unsigned int degree,
              const unsigned int n_r,
              const unsigned int n_z,
              const unsigned int n_steps,
-             const double       rho,
-             const double       end_time = 80e-6)
+             const double       rho)
   {
-    const double       radius = 3.2e-3, length = 32.4e-3, speed = 287.;
-    MaterialParameters material;
-    material.law                         = MaterialLawName::johnson_cook;
-    material.elasticity.density          = 7830.;
-    material.elasticity.young_modulus    = 206.9e9;
-    material.elasticity.poisson_ratio    = 0.3;
-    material.heating.adiabatic           = true;
-    material.heating.heat_capacity       = 460.;
-    material.heating.heat_fraction       = 0.9;
-    material.johnson_cook.A              = 806e6;
-    material.johnson_cook.B              = 614e6;
-    material.johnson_cook.n              = 0.168;
-    material.johnson_cook.C              = 0.0089;
-    material.johnson_cook.m              = 1.1;
-    material.johnson_cook.reference_rate = 1.;
-    material.johnson_cook.transition_temperature = 293.15;
-    material.johnson_cook.melting_temperature    = 1813.15;
     Body body(
       make_space(degree, equal_spans(n_r), graded_spans(n_z, 4.)),
-      [radius, length](const Point<2> &xi) {
-        return Point<2>(radius * xi[0], length * xi[1]);
+      [](const Point<2> &xi) {
+        return Point<2>(taylor::radius * xi[0], taylor::length * xi[1]);
       },
-      make_material_law(material),
+      make_material_law(taylor::steel()),
       Kinematics::axisymmetric);
     MaterialState cold;
-    cold.temperature = 293.15;
+    cold.temperature = taylor::room;
     body.solid.initialize(cold);
     body.prescribe(Edge::left, 0);
     body.prescribe(Edge::bottom, 1);
@@ -106,32 +150,18 @@ namespace loaded_solid
     Motion motion(body, rho);
     for (unsigned int i = 1; i < body.u.size(); i += 2)
       if (!body.is_prescribed[i])
-        motion.method.v(i) = -speed;
-    const double start  = motion.kinetic_energy();
-    const double dt     = end_time / n_steps;
-    const double weight = 7830. * dealii::numbers::PI * radius * radius *
-                          length * speed / dt; // the impulse over a step
+        motion.method.v(i) = -taylor::speed;
+    const double start = motion.kinetic_energy();
+    const double dt    = taylor::end_time / n_steps;
+    const double mass = taylor::density * dealii::numbers::PI * taylor::radius *
+                        taylor::radius * taylor::length;
     for (unsigned int step = 0; step < n_steps; ++step)
-      motion.step(dt, 1e-8 * weight);
+      // of the force that would stop the bar within a step
+      motion.step(dt, 1e-8 * mass * taylor::speed / dt);
 
-    TaylorBarResult result;
-    result.length   = length + body.displacement({0., 1.})[1];
-    result.diameter = 2. * (radius + body.displacement({1., 0.})[0]);
-    const Point<2> centre(0.5 / 5., 0.5 / 50.);
-    result.temperature =
-      interpolate_history(body.solid, centre, [](const MaterialState &point) {
-        return point.temperature - 273.15;
-      });
-    result.plastic_strain =
-      interpolate_history(body.solid, centre, [](const MaterialState &point) {
-        return point.plastic_strain;
-      });
-    result.max_temperature = 0.;
-    for (const MaterialState &point : body.solid.history())
-      result.max_temperature =
-        std::max(result.max_temperature, point.temperature - 273.15);
-    result.kinetic_energy = motion.kinetic_energy() / start;
-    result.iterations     = body.statistics.iterations;
+    TaylorBarResult result = measure_taylor_bar(body);
+    result.kinetic_energy  = motion.kinetic_energy() / start;
+    result.iterations      = body.statistics.iterations;
     return result;
   }
 } // namespace loaded_solid

@@ -7,7 +7,7 @@ namespace loaded_solid
 {
   /** A perfectly plastic cylinder of radii 10 and 20 mm whose inner radius is
    *  driven out to a = 85 mm in plane strain: nearly isochoric, so that
-   * elements which lock show it. */
+   *  elements which lock show it. */
   struct ThickCylinder
   {
     static constexpr double inner = 10e-3, outer = 20e-3; ///< [m]

@@ -59,14 +59,8 @@ namespace loaded_solid
     return flag_tip(*flag);
   }
 
-  struct Oscillation
-  {
-    double mean[2], amplitude[2]; ///< of the last period [m]
-    double frequency;             ///< [Hz]
-  };
-
-  /** CSM3, from rest to the given time. */
-  inline Oscillation
+  /** CSM3: the tip after every step, from rest at t = 0. */
+  inline std::vector<Tensor<1, 2>>
   swinging_flag(const unsigned int degree,
                 const unsigned int n_x,
                 const unsigned int n_y,
@@ -84,42 +78,86 @@ namespace loaded_solid
         motion.step(dt, 1e-7);
         tip.push_back(flag_tip(*flag));
       }
-    Oscillation        result;
-    const unsigned int period = std::min<unsigned int>(n, 0.91 / dt + 2);
-    for (unsigned int c = 0; c < 2; ++c)
+    return tip;
+  }
+
+  /** Half the sum and half the difference of the extremes of a signal. */
+  struct Swing
+  {
+    double mean, amplitude; ///< [m]
+  };
+
+  /**
+   * The swing of one component over the samples [begin, end), whose neighbours
+   * must exist; extremes are the vertices of parabolas through three samples.
+   */
+  inline Swing
+  swing_of(const std::vector<Tensor<1, 2>> &tip,
+           const unsigned int               component,
+           const unsigned int               begin,
+           const unsigned int               end)
+  {
+    double low = INFINITY, high = -INFINITY;
+    for (unsigned int i = begin; i < end; ++i)
       {
-        double low = INFINITY, high = -INFINITY;
-        // vertices of parabolas through three values
-        for (unsigned int i = n - period + 1; i < n; ++i)
-          {
-            const double slope = 0.5 * (tip[i + 1][c] - tip[i - 1][c]);
-            const double second =
-              tip[i + 1][c] - 2. * tip[i][c] + tip[i - 1][c];
-            double value = tip[i][c];
-            if (std::abs(slope) <= std::abs(second))
-              value -= 0.5 * slope * slope / second;
-            low  = std::min(low, value);
-            high = std::max(high, value);
-          }
-        if (n * dt < 1.)
-          high = std::max(high, 0.); // the start from rest
-        result.mean[c]      = 0.5 * (high + low);
-        result.amplitude[c] = 0.5 * (high - low);
+        const double before = tip[i - 1][component],
+                     after  = tip[i + 1][component];
+        const double slope  = 0.5 * (after - before);
+        const double second = after - 2. * tip[i][component] + before;
+        double       value  = tip[i][component];
+        if (std::abs(slope) <= std::abs(second))
+          value -= 0.5 * slope * slope / second;
+        low  = std::min(low, value);
+        high = std::max(high, value);
       }
-    // downward crossings of the mean deflection
-    std::vector<double> crossing;
-    for (unsigned int i = 0; i < n; ++i)
+    return {0.5 * (high + low), 0.5 * (high - low)};
+  }
+
+  constexpr double flag_period = 0.91; ///< rounded down [s]
+
+  /** The swing of the last period, as the benchmark reports it. */
+  inline Swing
+  last_swing(const std::vector<Tensor<1, 2>> &tip,
+             const unsigned int               component,
+             const double                     dt)
+  {
+    const unsigned int period = flag_period / dt + 2;
+    return swing_of(tip, component, tip.size() - period, tip.size() - 1);
+  }
+
+  /** Mean of the swings of the whole periods of a run: higher modes, which
+   *  nothing damps, shift the extremes of a single period to and fro. */
+  inline Swing
+  mean_swing(const std::vector<Tensor<1, 2>> &tip,
+             const unsigned int               component,
+             const double                     dt)
+  {
+    const unsigned int period    = std::lround(flag_period / dt);
+    const unsigned int n_periods = (tip.size() - 2) / period;
+    Swing              mean{0., 0.};
+    for (unsigned int k = 0; k < n_periods; ++k)
       {
-        const double a = tip[i][1] - result.mean[1],
-                     b = tip[i + 1][1] - result.mean[1];
+        const Swing swing =
+          swing_of(tip, component, 1 + k * period, 1 + (k + 1) * period);
+        mean.mean += swing.mean / n_periods;
+        mean.amplitude += swing.amplitude / n_periods;
+      }
+    return mean;
+  }
+
+  /** Frequency [Hz] from the downward crossings of the mean deflection. */
+  inline double
+  swing_frequency(const std::vector<Tensor<1, 2>> &tip, const double dt)
+  {
+    const double        mean = mean_swing(tip, 1, dt).mean;
+    std::vector<double> crossing;
+    for (unsigned int i = 0; i + 1 < tip.size(); ++i)
+      {
+        const double a = tip[i][1] - mean, b = tip[i + 1][1] - mean;
         if (a > 0. && b <= 0.)
           crossing.push_back((i + a / (a - b)) * dt);
       }
-    result.frequency =
-      crossing.size() > 1 ?
-        (crossing.size() - 1) / (crossing.back() - crossing.front()) :
-        0.;
-    return result;
+    return (crossing.size() - 1.) / (crossing.back() - crossing.front());
   }
 } // namespace loaded_solid
 
