@@ -1,10 +1,10 @@
 #include <asperity/base/errors.h>
+#include <asperity/base/quantity.h>
 #include <asperity/splines/knot_vector.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <sstream>
 #include <string>
 
 namespace asperity
@@ -16,16 +16,6 @@ namespace asperity
     {
       if (degree < 1)
         throw InputError("A spline has degree 0, but at least 1 is expected.");
-    }
-
-
-
-    std::string
-    number(const double x)
-    {
-      std::ostringstream text;
-      text << x;
-      return text.str();
     }
   } // namespace
 
@@ -47,8 +37,9 @@ namespace asperity
       if (!(breakpoints[i] < breakpoints[i + 1]) ||
           !std::isfinite(breakpoints[i]) || !std::isfinite(breakpoints[i + 1]))
         throw InputError("Breakpoint " + std::to_string(i + 1) +
-                         " of a knot vector is " + number(breakpoints[i + 1]) +
-                         " after " + number(breakpoints[i]) +
+                         " of a knot vector is " +
+                         format_number(breakpoints[i + 1]) + " after " +
+                         format_number(breakpoints[i]) +
                          ", but finite increasing values are expected.");
     const unsigned int n_spans = breakpoints.size() - 1;
     if (periodic && n_spans < degree + 1)
@@ -93,14 +84,15 @@ namespace asperity
         if (!(knots[i - 1] <= knots[i]) || !std::isfinite(knots[i - 1]) ||
             !std::isfinite(knots[i]))
           throw InputError("Knot " + std::to_string(i) + " is " +
-                           number(knots[i]) + " after " + number(knots[i - 1]) +
+                           format_number(knots[i]) + " after " +
+                           format_number(knots[i - 1]) +
                            ", but finite values that do not decrease are "
                            "expected.");
         multiplicity = (knots[i] == knots[i - 1] ? multiplicity + 1 : 1);
         const bool end =
           (knots[i] == knots.front() || knots[i] == knots.back());
         if (multiplicity > degree + (end ? 1 : 0))
-          throw InputError("Knot " + number(knots[i]) +
+          throw InputError("Knot " + format_number(knots[i]) +
                            " of a spline of degree " + std::to_string(degree) +
                            " occurs more than " +
                            std::to_string(degree + (end ? 1 : 0)) +

@@ -1,8 +1,8 @@
 #include <asperity/base/errors.h>
+#include <asperity/base/quantity.h>
 #include <asperity/splines/refinement.h>
 
 #include <algorithm>
-#include <sstream>
 
 namespace asperity
 {
@@ -95,16 +95,6 @@ namespace asperity
                                    tau);
         });
     }
-
-
-
-    std::string
-    number(const double x)
-    {
-      std::ostringstream text;
-      text << x;
-      return text.str();
-    }
   } // namespace
 
 
@@ -115,10 +105,10 @@ namespace asperity
   {
     for (const double knot : new_knots)
       if (!(knot > knot_vector.front() && knot < knot_vector.back()))
-        throw InputError("The knot " + number(knot) +
+        throw InputError("The knot " + format_number(knot) +
                          " was to be inserted, but values between " +
-                         number(knot_vector.front()) + " and " +
-                         number(knot_vector.back()) + " are expected.");
+                         format_number(knot_vector.front()) + " and " +
+                         format_number(knot_vector.back()) + " are expected.");
 
     std::vector<double> knots =
       (knot_vector.is_periodic() ? knot_vector.breakpoints() :

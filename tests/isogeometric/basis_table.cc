@@ -50,10 +50,9 @@ namespace
   {
     return space.degree() == 1 ? 2.2 : 2. - 0.4 * 0.2 * 2. * 0.5;
   }
-} // namespace
 
-namespace
-{
+
+
   /** dX/dxi from the offsets and the parametric gradients. */
   Tensor<2, 2>
   jacobian(const PatchGeometry             &geometry,
@@ -161,66 +160,91 @@ TEST(BasisTable, values_and_gradients_are_those_of_evaluation)
     }
 }
 
+namespace
+{
+  /** Point q of an edge's element against the values of the cell there; returns
+   *  the parameter along the edge. */
+  double
+  check_edge_point(const SplineSpace         &space,
+                   const PatchGeometry       &geometry,
+                   const BasisTable          &table,
+                   const BasisTable::Element &element,
+                   const unsigned int         q,
+                   const unsigned int         along)
+  {
+    const unsigned int        point = element.first_point + q;
+    const unsigned int        n     = element.functions.size();
+    std::vector<double>       N;
+    std::vector<Tensor<1, 2>> dN;
+    space.evaluate(element.cell, table.parameter[point], N, &dN);
+    const Tensor<2, 2> J = jacobian(geometry, element.functions, dN);
+    Tensor<1, 2>       tangent;
+    for (unsigned int d = 0; d < 2; ++d)
+      tangent[d] = J[d][along];
+    const Tensor<1, 2> normal = table.normal[point];
+    EXPECT_NEAR(normal.norm(), 1., 1e-14);
+    EXPECT_NEAR(normal * tangent, 0., 1e-13);
+    for (unsigned int a = 0; a < n; ++a)
+      {
+        // The gradients are (derivative along the edge, along the normal).
+        const Tensor<1, 2> derivative = element.gradients[q * n + a];
+        EXPECT_NEAR(element.values[q * n + a], N[a], 1e-14);
+        EXPECT_NEAR(derivative[0] * tangent.norm(), dN[a][along], 1e-10);
+        const Tensor<1, 2> gradient =
+          derivative[0] * tangent / tangent.norm() + derivative[1] * normal;
+        EXPECT_NEAR((transpose(J) * gradient - dN[a]).norm(), 0., 1e-10);
+      }
+    return table.parameter[point][along];
+  }
+
+
+
+  /** The trace holds the functions that do not vanish on the edge, in the
+   *  order of the whole element. */
+  void
+  check_trace(const BasisTable::Element &whole,
+              const BasisTable::Element &trace,
+              const unsigned int         q)
+  {
+    unsigned int matched = 0;
+    for (unsigned int a = 0; a < whole.functions.size(); ++a)
+      {
+        const double value = whole.values[q * whole.functions.size() + a];
+        if (matched < trace.functions.size() &&
+            trace.functions[matched] == whole.functions[a])
+          {
+            EXPECT_EQ(trace.values[q * trace.functions.size() + matched],
+                      value);
+            ++matched;
+          }
+        else
+          EXPECT_NEAR(value, 0., 1e-14);
+      }
+    EXPECT_EQ(matched, trace.functions.size());
+  }
+} // namespace
+
 TEST(BasisTable, edge_values_are_the_traces_of_the_cell)
 {
   for (const auto &[name, space] : example::all())
     for (const Edge edge : edges)
       {
+        SCOPED_TRACE(name);
         const auto geometry = curved(*space);
         const auto full = tabulate_edge(*space, geometry, edge, QGauss<1>(3));
         const auto traces =
           tabulate_edge(*space, geometry, edge, QGauss<1>(3), true);
         const unsigned int along =
           (edge == Edge::left || edge == Edge::right) ? 1 : 0;
-        std::vector<double>       N;
-        std::vector<Tensor<1, 2>> dN;
-        double                    previous = -1.;
+        double previous = -1.;
         for (unsigned int e = 0; e < full.elements.size(); ++e)
-          for (unsigned int q = 0; q < 3; ++q)
+          for (unsigned int q = 0; q < full.points_per_element; ++q)
             {
-              const auto        &element = full.elements[e];
-              const auto        &trace   = traces.elements[e];
-              const unsigned int point   = element.first_point + q;
-              const auto         n       = element.functions.size();
-              const auto         n_trace = trace.functions.size();
-              EXPECT_GT(full.parameter[point][along], previous);
-              previous = full.parameter[point][along];
-              space->evaluate(element.cell, full.parameter[point], N, &dN);
-              const Tensor<2, 2> J = jacobian(geometry, element.functions, dN);
-              Tensor<1, 2>       tangent;
-              for (unsigned int d = 0; d < 2; ++d)
-                tangent[d] = J[d][along];
-              const auto normal = full.normal[point];
-              EXPECT_NEAR(normal.norm(), 1., 1e-14);
-              EXPECT_NEAR(normal * tangent, 0., 1e-13);
-              unsigned int matched = 0;
-              for (unsigned int a = 0; a < n; ++a)
-                {
-                  EXPECT_NEAR(element.values[q * n + a], N[a], 1e-14) << name;
-                  EXPECT_NEAR(element.gradients[q * n + a][0] * tangent.norm(),
-                              dN[a][along],
-                              1e-10)
-                    << name;
-                  Tensor<1, 2> gradient =
-                    element.gradients[q * n + a][0] * tangent / tangent.norm();
-                  gradient += element.gradients[q * n + a][1] * normal;
-                  EXPECT_NEAR((transpose(J) * gradient - dN[a]).norm(),
-                              0.,
-                              1e-10)
-                    << name;
-                  if (matched < n_trace &&
-                      trace.functions[matched] == element.functions[a])
-                    {
-                      EXPECT_EQ(trace.values[q * n_trace + matched],
-                                element.values[q * n + a]);
-                      ++matched;
-                    }
-                  else
-                    {
-                      EXPECT_NEAR(N[a], 0., 1e-15) << name;
-                    }
-                }
-              EXPECT_EQ(matched, n_trace);
+              const double parameter = check_edge_point(
+                *space, geometry, full, full.elements[e], q, along);
+              EXPECT_GT(parameter, previous);
+              previous = parameter;
+              check_trace(full.elements[e], traces.elements[e], q);
             }
       }
 }

@@ -44,7 +44,7 @@ namespace asperity
       /** Gradient with respect to the reference position X [1/m], same
        *  layout. On an edge table: derivative along the edge with respect to
        *  reference arc length in component 0, along the reference outward
-       * normal in 1. */
+       *  normal in 1. */
       std::vector<dealii::Tensor<1, 2>> gradients;
     };
 
