@@ -9,8 +9,10 @@ namespace asperity
   namespace
   {
     /**
-     * Sums of weights and of weighted values over one line of a map, whose
-     * elements lie @p stride apart.
+     * out[i] = sum over k of weights[|k - i|] in[k] over one line of a map,
+     * whose elements lie @p stride apart. Applied to heights and to ones, it
+     * gives the numerator and the norm of the filter, the latter being the end
+     * correction.
      */
     void
     convolve(const double              *in,
