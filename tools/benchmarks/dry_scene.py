@@ -154,11 +154,9 @@ def solvers(arguments):
 
 
 def cost(arguments):
-    import matplotlib
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-    print_head("spans | unknowns | assembly a Newton iteration [ms] | "
-               "factorisation [ms]")
+    phases = ("assembly", "factorisation", "solution")
+    print_head("spans | strip of finest cells | unknowns | Newton iterations | "
+               + " | ".join(f"{phase} [ms]" for phase in phases))
     sizes = []
     for spans, levels, strip in ((40, 1, "0.3 um"), (80, 2, "0.3 um"),
                                  (160, 3, "0.3 um"), (320, 3, "0.3 um"),
@@ -171,24 +169,36 @@ def cost(arguments):
                        "Protocol/End time": "0.02 us",
                        "Protocol/Ramp fraction": 1,
                        "Protocol/Ramp steps": 3})
-        times, n = summary["cost"], summary["cost"]["factorisations"]
-        sizes.append((summary["mesh"]["unknowns"], 1e3 * times["assembly"] / n,
-                      1e3 * times["factorisation"] / n))
-        print(f"| {spans} | {sizes[-1][0]} | {sizes[-1][1]:.2f} | "
-              f"{sizes[-1][2]:.2f} |", flush=True)
-    sizes.sort()
+        times, unknowns = summary["cost"], summary["mesh"]["unknowns"]
+        per_iteration = [1e3 * times[phase] / times["newton_iterations"]
+                         for phase in phases]
+        sizes.append((unknowns, per_iteration))
+        print(f"| {spans} | {strip} | {unknowns} | "
+              f"{times['newton_iterations']} | "
+              + " | ".join(f"{time:.3g}" for time in per_iteration) + " |",
+              flush=True)
+    chart_cost(arguments, phases, sorted(sizes))
+
+
+def chart_cost(arguments, phases, sizes):
+    import matplotlib
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
     figure, axes = plt.subplots(figsize=(6, 4))
     unknowns = [size[0] for size in sizes]
-    axes.loglog(unknowns, [size[1] for size in sizes], "o-", label="assembly")
-    axes.loglog(unknowns, [size[2] for size in sizes], "s-",
-                label="factorisation")
+    for phase, marker, colour in zip(phases, "os^",
+                                     ("#12355b", "#c1553b", "#6a8d73")):
+        axes.loglog(unknowns,
+                    [size[1][phases.index(phase)] for size in sizes],
+                    marker + "-", color=colour, label=phase)
+    axes.loglog(unknowns, [sizes[0][1][0] * n / unknowns[0] for n in unknowns],
+                ":", color="grey", label="in proportion to the unknowns")
     axes.set_xlabel("unknowns")
     axes.set_ylabel("time per Newton iteration [ms]")
     axes.grid(alpha=0.3)
     axes.legend()
     figure.tight_layout()
-    figure.savefig(os.path.join(arguments.to, "cost_over_unknowns.png"),
-                   dpi=120)
+    figure.savefig(os.path.join(arguments.to, "newton_cost.png"), dpi=120)
 
 
 def main():
