@@ -171,6 +171,8 @@ namespace asperity
     initial_unknowns_.reinit(n_dofs());
     if (lubrication.model == LubricantModel::reynolds)
       build_film(parameters);
+    if (fills_gap(lubrication.model))
+      build_flow(parameters);
     if (lubrication.model != LubricantModel::pocket)
       return;
     SealedPocketOptions options;
@@ -199,9 +201,33 @@ namespace asperity
     auto film              = std::make_unique<FilmTerm>(
       *space, geometry, tool_surface.curve, options, n_dofs());
     n_lubricant_unknowns = film->n_unknowns();
-    initial_unknowns_.reinit(n_unknowns());
+    // The chip starts in touch if the oil leaves that room: a film that had to
+    // be squeezed out in the first step would resist as none does.
+    const double mean_gap = film->state().void_volume / length;
+    initial_unknowns_ =
+      translation(0.,
+                  std::min(parameters.geometry.initial_gap,
+                           (1. - lubrication.wetting) * mean_gap));
     film->initialize(initial_unknowns_);
     lubricant = std::move(film);
+  }
+
+
+
+  void
+  Scene::build_flow(const SceneParameters &parameters)
+  {
+    const LubricationParameters &lubrication = parameters.lubrication;
+    GapFlowOptions               options;
+    options.oil           = lubrication.oil;
+    options.inertia       = lubrication.model == LubricantModel::navier_stokes;
+    options.residual_film = lubrication.residual_film;
+    options.columns_per_span = lubrication.mesh.columns_per_span;
+    options.rows             = lubrication.mesh.rows;
+    auto flow =
+      std::make_unique<GapFlow>(*space, geometry, tool_surface.curve, options);
+    gap_flow  = flow.get();
+    lubricant = std::move(flow);
   }
 
 

@@ -25,18 +25,13 @@ namespace asperity
     if (!(options.wetting >= 0. && options.wetting <= 1.))
       throw InputError("The wetting must lie between 0 and 1, but it is " +
                        format_number(options.wetting) + ".");
-    Vector u(first_unknown + n_unknowns());
-    initialize(u);
     step.dt = 1.;
     step.old_content.resize(edge_.n_cells());
     old_position.resize(edge_.n_cells());
-    if (!evaluate(u))
-      throw InputError("The lubricant film cannot start: " + failure + ".");
-    for (unsigned int i = 0; i < edge_.n_cells(); ++i)
-      {
-        step.old_content[i] = options.wetting * film_geometry.volume[i];
-        old_position[i]     = edge_.position(i);
-      }
+    Vector u(first_unknown + n_unknowns());
+    start(u);
+    void_volume = state().void_volume;
+    initialize(u);
   }
 
 
@@ -66,12 +61,27 @@ namespace asperity
 
 
   void
-  FilmTerm::initialize(Vector &u) const
+  FilmTerm::start(const Vector &u)
   {
+    if (!evaluate(u))
+      throw InputError("The lubricant film cannot start: " + failure + ".");
+    for (unsigned int i = 0; i < edge_.n_cells(); ++i)
+      old_position[i] = edge_.position(i);
+  }
+
+
+
+  void
+  FilmTerm::initialize(Vector &u)
+  {
+    start(u);
+    const double fraction =
+      std::min(1., options.wetting * void_volume / state().void_volume);
     for (unsigned int i = 0; i < edge_.n_cells(); ++i)
       {
+        step.old_content[i]    = fraction * film_geometry.volume[i];
         u(pressure_unknown(i)) = 0.;
-        u(fraction_unknown(i)) = options.wetting * options.gap_scale;
+        u(fraction_unknown(i)) = fraction * options.gap_scale;
       }
   }
 

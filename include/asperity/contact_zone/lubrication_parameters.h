@@ -3,6 +3,7 @@
 
 #include <asperity/base/parameters.h>
 #include <asperity/constitutive/lubricant_parameters.h>
+#include <asperity/coupling/coupling_parameters.h>
 
 #include <string>
 
@@ -14,12 +15,29 @@ namespace asperity
     automatic, ///< as the scene audit says
     none,
     pocket,
-    reynolds
+    reynolds,
+    stokes,
+    navier_stokes
   };
 
   /** As in parameter files. */
   std::string
   name(const LubricantModel model);
+
+  /** Whether the oil is an incompressible flow in the whole gap, coupled to the
+   *  chip by PartitionedStep. */
+  bool
+  fills_gap(const LubricantModel model);
+
+  /** The mesh of an oil that fills the gap, see GapFlow. */
+  struct FilmMeshParameters
+  {
+    unsigned int columns_per_span = 1; ///< of the chip's edge
+    unsigned int rows             = 4;
+
+    void
+    declare(ParameterDeclarator &parameters);
+  };
 
   /** How much oil there is, and how it is modelled. */
   struct LubricationParameters
@@ -32,9 +50,13 @@ namespace asperity
     double sealing_gap = 0.;
 
     /** Film that stays where surfaces touch [m]; models with flow. */
-    double residual_film = 2e-9;
+    double residual_film = 5e-9;
 
     LubricantParameters oil;
+
+    // Models that fill the gap
+    FilmMeshParameters mesh;
+    CouplingParameters coupling;
 
     void
     declare(ParameterDeclarator &parameters);

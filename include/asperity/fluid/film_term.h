@@ -66,9 +66,15 @@ namespace asperity
     unsigned int
     n_unknowns() const;
 
-    /** Writes the unknowns of the start into u: no pressure, theta = w. */
+    /**
+     * The chip starts with the displacement in u: the oil, w times the void
+     * without displacement, is spread evenly over the void that is there then.
+     * Writes the unknowns of the start into u: no pressure, and the fraction
+     * that the oil fills, at most 1. Without this call the start is at u = 0.
+     * @throws InputError if there is no film at u
+     */
     void
-    initialize(dealii::Vector<double> &u) const;
+    initialize(dealii::Vector<double> &u);
 
     /** Translation of the tool at the end of the step [m]. */
     void
@@ -116,6 +122,10 @@ namespace asperity
     load(const std::vector<double> &data) override;
 
   private:
+    /** Takes positions from u. @throws InputError if there is no film */
+    void
+    start(const dealii::Vector<double> &u);
+
     /** Geometry, states and linearization at u; false if there is none. */
     bool
     evaluate(const dealii::Vector<double> &u);
@@ -143,6 +153,7 @@ namespace asperity
     FilmEdge        edge_;
     ReynoldsFilm    film;
 
+    double               void_volume = 0.; ///< without displacement [m^2]
     dealii::Tensor<1, 2> tool_offset;
 
     // At the last accepted step:

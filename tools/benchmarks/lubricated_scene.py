@@ -1,0 +1,152 @@
+#!/usr/bin/python3
+"""What each rung of the lubricant ladder says, and what it costs.
+
+Usage: tools/benchmarks/lubricated_scene.py [--asperity PROGRAM] [--to FOLDER]
+                                            [--flow] TASK
+
+  ladder   the eight load cases of R0 with all rungs, at the wettings 0.6 (dry,
+           pocket, Reynolds) and 1; with --flow also Stokes and Navier-Stokes,
+           which are the rungs that take a minute each
+  wetting  mu, contact fraction and oil pressure over the wetting, pocket and
+           Reynolds, at 300 MPa, 200 m/min, 25 degC
+  film     the Reynolds rung over the thickness of its residual film
+
+Tables go to the screen in Markdown, charts as PNG into FOLDER (default
+output/benchmarks). Run it on a quiet machine; compare within one run only.
+"""
+
+import argparse
+import os
+
+from dry_scene import ROOT, load_case, print_head, run
+
+CASES = [(p, v, T) for p in (300, 1300) for v in (22.5, 200) for T in (25, 675)]
+HEAD = ("mu | contact fraction | oil pressure [MPa] | share of the load | "
+        "mu by shear | steps | Newton iterations | wall time [s]")
+COLOURS = {"none": "#9aa0a6", "pocket": "#12355b", "Reynolds": "#c1553b",
+           "Stokes": "#6a8d73", "Navier-Stokes": "#8e6bbf"}
+
+
+def rung(model, wetting):
+    return {"Lubrication/Model": model, "Lubrication/Wetting": wetting}
+
+
+def row(summary):
+    oil, friction, cost = (summary.get("oil", {}), summary["friction"],
+                           summary["cost"])
+    shear = abs(oil.get("T_x_shear", 0.) / friction["T_y"])
+    return (f"{friction['mu']:.5f} | {summary['contact_fraction']:.4f} | "
+            f"{oil.get('pressure', 0.) * 1e-6:.1f} | "
+            f"{oil.get('load_share', 0.):.3f} | {shear:.5f} | "
+            f"{cost['steps']} | {cost['newton_iterations']} | "
+            f"{cost['wall_time']:.1f}")
+
+
+def ladder(arguments):
+    print_head("p [MPa] | v [m/min] | T [degC] | wetting | model | " + HEAD)
+    results = {}
+    for case in CASES:
+        rungs = [("none", 0.), ("pocket", 0.6), ("Reynolds", 0.6),
+                 ("pocket", 1.), ("Reynolds", 1.)]
+        if arguments.flow:
+            rungs += [("Stokes", 1.), ("Navier-Stokes", 1.)]
+        for model, wetting in rungs:
+            name = "ladder_p{}_v{}_T{}_".format(*case) + f"{model}_{wetting}"
+            summary = run(arguments, name,
+                          {**load_case(*case), **rung(model, wetting)})
+            results[case, wetting, model] = summary["friction"]["mu"]
+            print("| {} | {} | {} | ".format(*case) +
+                  f"{wetting} | {model} | {row(summary)} |", flush=True)
+    chart_ladder(arguments, results)
+
+
+def chart_ladder(arguments, results):
+    plt = pyplot()
+    figure, panels = plt.subplots(1, 2, figsize=(11, 4), sharey=True)
+    for axes, wetting in zip(panels, (0.6, 1.)):
+        models = [m for m in COLOURS
+                  if (CASES[0], 0. if m == "none" else wetting, m) in results]
+        width = 0.8 / len(models)
+        for i, model in enumerate(models):
+            of_model = 0. if model == "none" else wetting
+            axes.bar([j + (i - 0.5 * (len(models) - 1)) * width
+                      for j in range(len(CASES))],
+                     [results[case, of_model, model] for case in CASES],
+                     width, label="dry" if model == "none" else model,
+                     color=COLOURS[model])
+        axes.set_xticks(range(len(CASES)),
+                        ["{} MPa\n{} m/min\n{} °C".format(*case)
+                         for case in CASES], fontsize=7)
+        axes.set_title(f"wetting {wetting:g}", fontsize=10)
+        axes.grid(axis="y", alpha=0.3)
+        axes.legend(fontsize=8)
+    panels[0].set_ylabel("mu")
+    save(figure, arguments, "lubricant_ladder.png")
+
+
+def wetting(arguments):
+    print_head("model | wetting | " + HEAD)
+    values = (0.3, 0.4, 0.5, 0.55, 0.6, 0.7, 0.8, 0.9, 1.)
+    plt = pyplot()
+    figure, panels = plt.subplots(1, 3, figsize=(12, 3.6))
+    for model in ("pocket", "Reynolds"):
+        summaries = []
+        for value in values:
+            summaries.append(run(arguments, f"wetting_{model}_{value}",
+                                 {**load_case(300, 200, 25),
+                                  **rung(model, value)}))
+            print(f"| {model} | {value} | {row(summaries[-1])} |", flush=True)
+        curves = ([s["friction"]["mu"] for s in summaries],
+                  [s["contact_fraction"] for s in summaries],
+                  [s["oil"]["pressure"] * 1e-6 for s in summaries])
+        for axes, curve in zip(panels, curves):
+            axes.plot(values, curve, "o-", ms=3, color=COLOURS[model],
+                      label=model)
+    for axes, name in zip(panels, ("mu", "contact fraction",
+                                   "oil pressure [MPa]")):
+        axes.set(xlabel="wetting", ylabel=name)
+        axes.grid(alpha=0.3)
+    panels[0].legend()
+    save(figure, arguments, "wetting.png")
+
+
+def film(arguments):
+    print_head("residual film [nm] | " + HEAD)
+    for thickness in (2, 5, 10, 20):
+        summary = run(arguments, f"film_{thickness}",
+                      {**load_case(300, 200, 25), **rung("Reynolds", 0.6),
+                       "Lubrication/Residual film": f"{thickness} nm"})
+        print(f"| {thickness} | {row(summary)} |", flush=True)
+
+
+def pyplot():
+    import matplotlib
+    matplotlib.use("Agg")
+    import matplotlib.pyplot
+    return matplotlib.pyplot
+
+
+def save(figure, arguments, name):
+    figure.tight_layout()
+    figure.savefig(os.path.join(arguments.to, name), dpi=120)
+
+
+TASKS = {"ladder": ladder, "wetting": wetting, "film": film}
+
+
+def main():
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("task", choices=sorted(TASKS))
+    parser.add_argument("--asperity",
+                        default=os.path.join(ROOT, "build", "asperity"))
+    parser.add_argument("--to", default=os.path.join(ROOT, "output",
+                                                     "benchmarks"))
+    parser.add_argument("--flow", action="store_true",
+                        help="also the rungs with a flow of their own")
+    arguments = parser.parse_args()
+    TASKS[arguments.task](arguments)
+
+
+if __name__ == "__main__":
+    main()
