@@ -54,6 +54,7 @@ namespace asperity
       , n_pressure(fe.base_element(1).n_dofs_per_cell())
       , dofs(fe.n_dofs_per_cell())
       , R(dofs.size())
+      , size(dofs.size())
       , K(dofs.size(), dofs.size())
       , v(quadrature.size())
       , rate(quadrature.size())
@@ -114,7 +115,7 @@ namespace asperity
     std::vector<dealii::types::global_dof_index> dofs;
     std::array<std::vector<unsigned int>, 3> index; // component -> functions
 
-    dealii::Vector<double>     R;
+    dealii::Vector<double>     R, size;
     dealii::FullMatrix<double> K;
 
     std::vector<Tensor<1, 2>> v, rate, w, grad_p;
@@ -192,7 +193,7 @@ namespace asperity
         it->get_dof_indices(cell.dofs);
         space.topology().distribute_local_to_global(cell.R, cell.dofs, R);
         for (unsigned int i = 0; i < cell.dofs.size(); ++i)
-          scale(cell.dofs[i]) += std::abs(cell.R(i));
+          scale(cell.dofs[i]) += cell.size(i);
         if (tangent != nullptr)
           constraints.distribute_local_to_global(cell.K, cell.dofs, *tangent);
       }
@@ -203,8 +204,9 @@ namespace asperity
   void
   FluidAssembler::integrate(Cell &cell, const bool with_tangent) const
   {
-    cell.R = 0.;
-    cell.K = 0.;
+    cell.R    = 0.;
+    cell.size = 0.;
+    cell.K    = 0.;
     for (unsigned int q = 0; q < cell.quadrature.size(); ++q)
       {
         Point x;
@@ -224,10 +226,29 @@ namespace asperity
           x.acceleration -=
             model_.body_force(cell.flow.quadrature_point(q), time);
         cell.load(q);
+        add_size(cell, x);
         galerkin(cell, x, with_tangent);
         if (cell.stabilised)
           stabilisation(cell, x, with_tangent);
       }
+  }
+
+
+
+  void
+  FluidAssembler::add_size(Cell &cell, const Point &x) const
+  {
+    const double grad_v = x.grad_v.norm();
+    const double inertia =
+      model_.density * (rate.now * cell.v[x.q].norm() + cell.rate[x.q].norm() +
+                        x.c.norm() * grad_v + x.acceleration.norm());
+    const double stress = x.eta.value * grad_v + std::abs(x.p);
+    for (unsigned int a = 0; a < cell.n_velocity; ++a)
+      for (unsigned int i = 0; i < dim; ++i)
+        cell.size(cell.index[i][a]) +=
+          (inertia * std::abs(cell.N[a]) + stress * cell.g[a].norm()) * x.JxW;
+    for (unsigned int k = 0; k < cell.n_pressure; ++k)
+      cell.size(cell.index[dim][k]) += grad_v * std::abs(cell.M[k]) * x.JxW;
   }
 
 
@@ -310,11 +331,11 @@ namespace asperity
     // The reference cell has length 1 here, 2 in the papers.
     const Tensor<2, 2> G  = 4. * transpose(inverse_jacobian) * inverse_jacobian;
     const Tensor<1, 2> Gc = G * x.c;
-    const double       G_G = scalar_product(G, G);
+    const double       G_G    = scalar_product(G, G);
+    const double       steady = rho * rho * (x.c * Gc) + 36. * eta * eta * G_G;
     const double       tau =
-      1. / std::sqrt(4. * rho * rho * rate.now * rate.now +
-                     rho * rho * (x.c * Gc) + 36. * eta * eta * G_G);
-    const double tau_C = 1. / (tau * trace(G));
+      1. / std::sqrt(4. * rho * rho * rate.now * rate.now + steady);
+    const double tau_C = std::sqrt(steady) / trace(G);
 
     // r = rho acceleration + grad p - eta (lap v + grad div v)
     Tensor<1, 2> r        = rho * x.acceleration + cell.grad_p[x.q];
@@ -328,7 +349,11 @@ namespace asperity
         cell.R(I[i][a]) +=
           (tau * rho * (x.c * g[a]) * r[i] + tau_C * x.div_v * g[a][i]) * x.JxW;
     for (unsigned int k = 0; k < cell.n_pressure; ++k)
-      cell.R(I[dim][k]) -= tau * (cell.m[k] * r) * x.JxW;
+      {
+        cell.R(I[dim][k]) -= tau * (cell.m[k] * r) * x.JxW;
+        cell.size(I[dim][k]) +=
+          tau * cell.m[k].norm() * cell.grad_p[x.q].norm() * x.JxW;
+      }
     if (!with_tangent)
       return;
 
@@ -346,8 +371,9 @@ namespace asperity
                                 const double        d_tau,
                                 const double        d_div,
                                 const Tensor<1, 2> &dc) {
-      const Tensor<1, 2> d_tau_r     = tau * dr + d_tau * r;
-      const double       d_tau_C_div = tau_C * (d_div - d_tau / tau * x.div_v);
+      const Tensor<1, 2> d_tau_r = tau * dr + d_tau * r;
+      const double       d_tau_C_div =
+        tau_C * (d_div - d_tau / (tau_3 * steady) * x.div_v);
       for (unsigned int a = 0; a < cell.n_velocity; ++a)
         for (unsigned int i = 0; i < dim; ++i)
           cell.K(I[i][a], column) +=

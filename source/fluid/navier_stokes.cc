@@ -38,8 +38,10 @@ namespace asperity
     , u_old(u)
     , u_older(u)
     , cell_forces(u)
+    , volume_source(u)
     , source(u)
     , scale(u)
+    , divergence(u)
   {
     dealii::Table<2, dealii::DoFTools::Coupling> coupling(3, 3);
     coupling.fill(dealii::DoFTools::always);
@@ -88,6 +90,15 @@ namespace asperity
 
 
 
+  bool
+  NavierStokes::set_initial_displacement(const Vector &displacement)
+  {
+    mesh.set_history(displacement, displacement);
+    return mesh.set_displacement(displacement);
+  }
+
+
+
   void
   NavierStokes::begin_step(const double new_dt)
   {
@@ -129,10 +140,32 @@ namespace asperity
       u(entry.first) = entry.second;
     space_.topology().distribute(u);
 
-    source = 0.;
+    cell_size =
+      std::sqrt(volume() / space_.dofs().get_triangulation().n_active_cells());
+    volume_source = 0.;
     if (!material_walls.empty())
-      mesh.add_swept_volume_defect(material_walls, source);
-    return level.balance(u, source, options.flux_tolerance);
+      mesh.add_swept_volume_defect(material_walls, volume_source);
+    const std::string problem =
+      level.balance(u, volume_source, options.flux_tolerance);
+    source = volume_source;
+    source.add(-divergence_memory(), divergence);
+    return problem;
+  }
+
+
+
+  double
+  NavierStokes::divergence_memory() const
+  {
+    if (options.element != FluidElement::equal_order || dt == 0.)
+      return 0.;
+    double V = 0.;
+    for (unsigned int i = 0; i < space_.n_velocity_dofs(); ++i)
+      V = std::max(V, std::abs(u_old(i)));
+    const double nu =
+      assembler.model().viscosity.viscosity / assembler.model().density;
+    const double h = cell_size;
+    return 1. / (1. + dt * (2. * V / h + 34. * nu / (h * h)));
   }
 
 
@@ -168,6 +201,8 @@ namespace asperity
   void
   NavierStokes::accept()
   {
+    if (options.element == FluidElement::equal_order)
+      divergence = galerkin_divergence();
     u_older = u_old;
     u_old   = u;
     mesh.accept();
@@ -214,14 +249,15 @@ namespace asperity
     double             momentum = 0., continuity = 0.;
     for (unsigned int i = 0; i < u.size(); ++i)
       (i < n_velocity ? momentum : continuity) += scale(i) * scale(i);
-    momentum_scale   = std::max(momentum_scale, std::sqrt(momentum));
-    continuity_scale = std::max(continuity_scale, std::sqrt(continuity));
+    momentum_scale = std::max(momentum_scale, std::sqrt(momentum));
+    // Of a divergence that is carried along only the change counts.
+    continuity_scale = std::max(continuity_scale,
+                                std::max(1e-4, 1. - divergence_memory()) *
+                                  std::sqrt(continuity));
 
     // A fluid at rest under pressure moves by round-off only; the flow that
     // such a pressure could drive is the size to compare it with.
     const double viscosity = assembler.model().viscosity.viscosity;
-    const double cell_size =
-      std::sqrt(volume() / space_.dofs().get_triangulation().n_active_cells());
     continuity_scale =
       std::max(continuity_scale, 1e-4 * momentum_scale / viscosity * cell_size);
   }

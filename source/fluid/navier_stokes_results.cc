@@ -49,7 +49,8 @@ namespace asperity
           }
       }
     space_.topology().distribute(u);
-    u_old = u;
+    u_old      = u;
+    divergence = galerkin_divergence();
   }
 
 
@@ -182,7 +183,8 @@ namespace asperity
             u_old,
             u_older,
             mesh.old_displacement(),
-            mesh.older_displacement()};
+            mesh.older_displacement(),
+            divergence};
   }
 
 
@@ -190,13 +192,14 @@ namespace asperity
   void
   NavierStokes::set_state(const FluidState &state)
   {
-    time_old = state.time;
-    dt_old   = state.dt;
-    dt       = 0.;
-    n_steps  = state.n_steps;
-    u        = state.u;
-    u_old    = state.u;
-    u_older  = state.u_old;
+    time_old   = state.time;
+    dt_old     = state.dt;
+    dt         = 0.;
+    n_steps    = state.n_steps;
+    u          = state.u;
+    u_old      = state.u;
+    u_older    = state.u_old;
+    divergence = state.divergence;
     mesh.set_displacement(state.displacement);
     mesh.set_history(state.displacement, state.displacement_old);
   }

@@ -39,14 +39,15 @@ namespace asperity
    *   int tau r.(rho (v - w_mesh).grad w) - int tau r.grad q
    *     + int tau_C div v div w,
    *   tau = ((2 rho a_0)^2 + rho^2 c.G c + 36 eta^2 G : G)^(-1/2),
-   *   tau_C = 1/(tau tr G)
+   *   tau_C = (rho^2 c.G c + 36 eta^2 G : G)^(1/2)/tr G
    *
    * (SUPG, PSPG, LSIC; T. E. Tezduyar, S. Sathe, CMAME 192 (2003); Y. Bazilevs
    * et al., CMAME 197 (2007) 173), where G is the metric of the map to the
    * reference cell and a_0 the coefficient of the new velocity in its rate.
    * Since tau rho a_0 <= 1/2, the equation of the pressure keeps its sign for
    * all time steps, and tau falls with dt as the velocity's own Schur
-   * complement does.
+   * complement does. tau_C leaves the time step out: else the divergence that
+   * an interpolated velocity has would act as a force of the order of 1/dt.
    */
   class FluidAssembler
   {
@@ -67,8 +68,8 @@ namespace asperity
     /**
      * Adds the cells' residual, condensed by the space's topology, and,
      * unless tangent is null, its derivative, condensed by `constraints`.
-     * @param scale adds the absolute contributions of the cells: the size that
-     *   a residual of round-off is to be compared with
+     * @param scale the absolute values of the terms are added to it: the size
+     *   that a residual is to be compared with
      */
     void
     add(const Vector                            &u,
@@ -86,6 +87,10 @@ namespace asperity
 
     void
     integrate(Cell &cell, const bool with_tangent) const;
+
+    /** Absolute values of the terms. */
+    void
+    add_size(Cell &cell, const Point &point) const;
 
     void
     galerkin(Cell &cell, const Point &point, const bool with_tangent) const;

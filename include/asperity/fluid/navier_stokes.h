@@ -53,6 +53,7 @@ namespace asperity
     unsigned int           n_steps = 0;  ///< accepted
     dealii::Vector<double> u, u_old;     ///< at t_n and t_{n-1}
     dealii::Vector<double> displacement, displacement_old; ///< of the mesh
+    dealii::Vector<double> divergence; ///< at t_n, see NavierStokes
   };
 
   /**
@@ -68,6 +69,17 @@ namespace asperity
    *   flow.accept();                          // or begin_step() again: retry
    *
    * A steady flow only needs boundary conditions and solve().
+   *
+   * Small time steps (equal order only). The stabilisation tau falls with dt,
+   * so a defect of the discrete divergence, which the interpolated velocities
+   * of a boundary always have, would raise the pressure as 1/dt. The continuity
+   * equation is therefore solved as
+   *   B v_{n+1} - theta B v_n + stabilisation = 0, theta = 1/(1 + dt/T),
+   * with T = 1/(2 V/h + 34 nu/h^2), the tau of the steady problem: for large
+   * steps the usual equation, for small ones the differential equation
+   * T d(B v)/dt + B v = ..., whose pressure does not depend on dt
+   * (J. Baumgarte's stabilisation, CMAME 1 (1972) 1-16). Taylor-Hood
+   * elements need no more than project_initial_velocity().
    *
    * Walls are sets of boundary ids; nodal values on them are in the order of
    * boundary().nodes(ids), which are the velocity nodes.
@@ -99,6 +111,10 @@ namespace asperity
     bool
     set_mesh_displacement(const Vector &displacement);
 
+    /** The same for t = 0, where the mesh is at rest. */
+    bool
+    set_initial_displacement(const Vector &displacement);
+
     /** Node positions without displacement, by geometry_dofs() [m]. */
     Vector
     reference_positions() const;
@@ -122,7 +138,8 @@ namespace asperity
     /**
      * Replaces the initial velocity by the nearest one whose discrete
      * divergence vanishes and that takes the prescribed values: otherwise the
-     * pressure of the first step grows as 1/dt.
+     * pressure of the first step grows as 1/dt. Equal-order elements carry the
+     * divergence along instead (see above), for them nothing is done.
      */
     ConvergenceReport
     project_initial_velocity();
@@ -232,6 +249,15 @@ namespace asperity
     void
     update_scales();
 
+    /** Continuity residual of the Galerkin method at u: without stabilisation
+     *  and memory. */
+    Vector
+    galerkin_divergence() const;
+
+    /** theta, see above. */
+    double
+    divergence_memory() const;
+
     FluidOptions                      options;
     FluidSpace                        space_;
     MovingMesh                        mesh;
@@ -246,9 +272,12 @@ namespace asperity
 
     Vector           u, u_old, u_older; ///< iterate, t_n, t_{n-1}
     Vector           cell_forces;       ///< residual of the cells at u
-    Vector           source;            ///< of the continuity equation
-    Vector           scale;             ///< absolute contributions at u
+    Vector           volume_source;     ///< of walls and enclosed parts [m^2/s]
+    Vector           source;     ///< that and the memory of the divergence
+    Vector           scale;      ///< absolute contributions at u
+    Vector           divergence; ///< Galerkin continuity at t_n [m^2/s]
     double           momentum_scale = 0., continuity_scale = 0.;
+    double           cell_size = 0.; ///< square root of the mean area [m]
     double           time_old = 0., dt = 0., dt_old = 0.;
     unsigned int     n_steps = 0;
     NewtonStatistics statistics_;

@@ -6,7 +6,8 @@
 
 #include <cmath>
 
-// The projection of the initial velocity onto discretely solenoidal ones.
+// What the divergence of the initial velocity needs, lest the pressure of small
+// steps explode.
 namespace asperity
 {
   namespace
@@ -56,16 +57,51 @@ namespace asperity
 
 
 
+  Vector
+  NavierStokes::galerkin_divergence() const
+  {
+    const auto                                  &fe = space_.dofs().get_fe();
+    const dealii::QGauss<2>                      quadrature(fe.degree + 1);
+    dealii::FEValues<2>                          values(mapping(),
+                               fe,
+                               quadrature,
+                               dealii::update_values |
+                                 dealii::update_gradients |
+                                 dealii::update_JxW_values);
+    std::vector<double>                          div_v(quadrature.size());
+    dealii::Vector<double>                       local(fe.n_dofs_per_cell());
+    std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    Vector                                       result(volume_source);
+    for (const auto &cell : space_.dofs().active_cell_iterators())
+      {
+        values.reinit(cell);
+        values[velocity_field].get_function_divergences(u, div_v);
+        local = 0.;
+        for (const unsigned int q : values.quadrature_point_indices())
+          for (unsigned int i = 0; i < dofs.size(); ++i)
+            local(i) -=
+              values[pressure_field].value(i, q) * div_v[q] * values.JxW(q);
+        cell->get_dof_indices(dofs);
+        space_.topology().distribute_local_to_global(local, dofs, result);
+      }
+    return result;
+  }
+
+
+
   ConvergenceReport
   NavierStokes::project_initial_velocity()
   {
-    // -epsilon |phi|^2 makes the system regular whatever the pair of elements;
-    // a few repetitions from the last phi remove its influence.
+    // -epsilon |phi|^2 makes the system regular with any pressure level; a few
+    // repetitions from the last phi remove its influence.
     constexpr double       epsilon             = 1e-7;
     constexpr double       tolerance           = 1e-13;
     constexpr unsigned int maximum_repetitions = 20;
 
     ConvergenceReport report;
+    report.converged = options.element == FluidElement::equal_order;
+    if (report.converged)
+      return report;
     report.reason = prepare();
     if (!report.reason.empty())
       return report;
@@ -93,12 +129,12 @@ namespace asperity
         Vector difference(x);
         difference -= start; // M (v - v_0) - B^T phi, and - B v
         saddle_point.vmult(R, difference);
-        Vector divergence(u.size());
-        saddle_point.vmult(divergence, start);
+        Vector start_divergence(u.size());
+        saddle_point.vmult(start_divergence, start);
         double squares = 0.;
         for (unsigned int i = n_velocity; i < u.size(); ++i)
           {
-            R(i) += divergence(i) + source(i);
+            R(i) += start_divergence(i) + volume_source(i);
             squares += R(i) * R(i);
           }
         for (const auto &line : constraints.get_lines())
