@@ -21,6 +21,20 @@ namespace asperity
 
 
 
+  std::vector<double>
+  Acceleration::save() const
+  {
+    return {};
+  }
+
+
+
+  void
+  Acceleration::load(const std::vector<double> &)
+  {}
+
+
+
   ConstantRelaxation::ConstantRelaxation(const double factor)
     : factor(factor)
   {}

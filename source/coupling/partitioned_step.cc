@@ -236,4 +236,49 @@ namespace asperity
     history.clear();
     history.push_front({0., force});
   }
+
+
+
+  std::vector<double>
+  PartitionedStep::save() const
+  {
+    std::vector<double> data = robin.save();
+    data.push_back(condition.alpha);
+    data.insert(data.end(), old_displacement.begin(), old_displacement.end());
+    data.push_back(history.size());
+    for (const Accepted &step : history)
+      {
+        data.push_back(step.time);
+        data.insert(data.end(), step.force.begin(), step.force.end());
+      }
+    const std::vector<double> learnt = acceleration->save();
+    data.insert(data.end(), learnt.begin(), learnt.end());
+    return data;
+  }
+
+
+
+  void
+  PartitionedStep::load(const std::vector<double> &data)
+  {
+    const std::size_t n       = old_displacement.size(),
+                      n_robin = robin.save().size();
+    const std::size_t head    = n_robin + 1 + n;
+    if (data.size() <= head ||
+        data.size() < head + 1 + static_cast<std::size_t>(data[head]) * (n + 1))
+      throw InputError("The coupled step of the checkpoint has " +
+                       std::to_string(data.size()) +
+                       " numbers, which is not what an interface of " +
+                       std::to_string(n) + " components has.");
+    auto value = data.begin();
+    robin.load(std::vector<double>(value, value + n_robin));
+    value += n_robin;
+    condition.alpha  = *value++;
+    old_displacement = Vector(value, value + n);
+    value += n;
+    history.clear();
+    for (double left = *value++; left > 0.; --left, value += n + 1)
+      history.push_back({*value, Vector(value + 1, value + 1 + n)});
+    acceleration->load(std::vector<double>(value, data.end()));
+  }
 } // namespace asperity

@@ -144,6 +144,41 @@ namespace asperity
 
 
 
+  std::vector<double>
+  QuasiNewton::save() const
+  {
+    // Number of unknowns, then each step: number of columns, the columns.
+    std::vector<double> data(1, old_residual.size());
+    for (const Step &step : steps)
+      {
+        data.push_back(step.size());
+        for (const Column &column : step)
+          for (const Vector *v : {&column.residual, &column.output})
+            data.insert(data.end(), v->begin(), v->end());
+      }
+    return data;
+  }
+
+
+
+  void
+  QuasiNewton::load(const std::vector<double> &data)
+  {
+    reset();
+    steps.clear();
+    const auto n     = static_cast<std::size_t>(data.at(0));
+    auto       value = data.begin() + 1;
+    while (value < data.end())
+      {
+        steps.emplace_back();
+        for (double left = *value++; left > 0.; --left, value += 2 * n)
+          steps.back().push_back(
+            {Vector(value, value + n), Vector(value + n, value + 2 * n)});
+      }
+  }
+
+
+
   unsigned int
   QuasiNewton::n_columns() const
   {

@@ -138,4 +138,25 @@ namespace asperity
   {
     return value_;
   }
+
+
+
+  std::vector<double>
+  RobinCoefficient::save() const
+  {
+    // An impedance is positive.
+    return {value_, correction, secant.value_or(0.)};
+  }
+
+
+
+  void
+  RobinCoefficient::load(const std::vector<double> &data)
+  {
+    value_     = data.at(0);
+    correction = data.at(1);
+    secant.reset();
+    if (data.at(2) > 0.)
+      secant = data[2];
+  }
 } // namespace asperity

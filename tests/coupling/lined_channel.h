@@ -20,7 +20,8 @@ namespace lined_channel
    * The plane counterpart of the pressure wave in an elastic tube (J.-F.
    * Gerbeau, M. Vidrascu, M2AN 37 (2003) 631-647): half a channel of height h,
    * with a soft elastic lining of thickness H on a rigid wall, and a pulse of
-   * pressure at the inlet.
+   * pressure at the inlet. The first and the last of the cells have no lining,
+   * so that no node of the lining is one of an open end.
    *
    * A long wave presses the lining like a spring, p = M eta/H with the modulus
    * of uniaxial strain M = E (1 - nu)/((1 + nu) (1 - 2 nu)). With the balance
@@ -46,6 +47,13 @@ namespace lined_channel
       return std::sqrt(modulus * height / (fluid_density * lining));
     }
 
+    /** Length without lining at either end [m]. */
+    double
+    end() const
+    {
+      return length / cells;
+    }
+
     FluidStructureOptions
     options() const
     {
@@ -60,15 +68,16 @@ namespace lined_channel
     body() const
     {
       std::vector<double> along(1, 0.);
-      for (unsigned int i = 1; i <= cells; ++i)
-        along.push_back(double(i) / cells);
+      for (unsigned int i = 1; i <= cells - 2; ++i)
+        along.push_back(double(i) / (cells - 2));
       SplineBody body;
       const auto space =
         std::make_shared<SplineSpace>(KnotVector(2, along),
                                       KnotVector(2, {0., 0.5, 1.}));
       body.space    = space;
       body.geometry = PatchGeometry::from_map(*space, [&](const Point<2> &xi) {
-        return Point<2>(length * xi[0], height + lining * xi[1]);
+        return Point<2>(end() + (length - 2. * end()) * xi[0],
+                        height + lining * xi[1]);
       });
       ElasticParameters elasticity;
       elasticity.density       = solid_density;
@@ -92,10 +101,15 @@ namespace lined_channel
         inlet  = 0,
         outlet = 1,
         axis   = 2,
-        wall   = 3
+        wall   = 3,
+        rigid  = 4
       };
       dealii::GridGenerator::subdivided_hyper_rectangle(
         mesh, {cells, 2}, Point<2>(), Point<2>(length, height), true);
+      for (const auto &face : mesh.active_face_iterators())
+        if (face->at_boundary() && face->boundary_id() == wall &&
+            std::abs(face->center()[0] - 0.5 * length) > 0.5 * length - end())
+          face->set_boundary_id(rigid);
       auto  problem  = std::make_unique<FluidStructure>(mesh,
                                                       BoundaryIds{wall},
                                                       body(),
@@ -103,17 +117,16 @@ namespace lined_channel
       auto &boundary = problem->flow().boundary();
       boundary.set_traction({inlet},
                             [p = pulse, T = pulse_time](const Point<2> &,
-                                                        const double t) {
+                                                        const Tensor<1, 2> &n,
+                                                        const double        t) {
                               const double s = std::sin(M_PI * t / T);
-                              Tensor<1, 2> traction;
-                              traction[0] = t < T ? p * s * s : 0.;
-                              return traction;
+                              return t < T ? -p * s * s * n : 0. * n;
                             });
-      boundary.set_velocity({axis},
-                            [](const Point<2> &, const double) {
-                              return Tensor<1, 2>();
-                            },
-                            {{false, true}});
+      const auto rest = [](const Point<2> &, const double) {
+        return Tensor<1, 2>();
+      };
+      boundary.set_velocity({axis}, rest, {{false, true}});
+      boundary.set_velocity({rigid}, rest);
       return problem;
     }
   };

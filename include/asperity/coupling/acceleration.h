@@ -4,6 +4,7 @@
 #include <deal.II/lac/vector.h>
 
 #include <memory>
+#include <vector>
 
 namespace asperity
 {
@@ -62,6 +63,14 @@ namespace asperity
     /** Forgets what earlier steps have taught: H has changed. */
     virtual void
     reset();
+
+    /** What earlier steps have taught, as a list of numbers; between steps. */
+    virtual std::vector<double>
+    save() const;
+
+    /** @param data made by save() for as many unknowns */
+    virtual void
+    load(const std::vector<double> &data);
   };
 
   /** x + omega r. */

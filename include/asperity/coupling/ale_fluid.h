@@ -14,7 +14,9 @@ namespace asperity
    * interface's nodes are the wall's velocity nodes.
    *
    * The flow's own boundary conditions are the caller's, but for that of the
-   * wall; to conserve volume it has to know the wall as a material one
+   * wall. Where the wall ends, its neighbour must prescribe the velocity, not a
+   * traction: the node that they share would have the forces of both. To
+   * conserve volume it has to know the wall as a material one
    * (NavierStokes::set_material_walls()).
    */
   class AleFluid : public FluidSide

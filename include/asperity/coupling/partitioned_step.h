@@ -100,6 +100,15 @@ namespace asperity
     void
     set_state(const Vector &force, const Vector &displacement);
 
+    /** All that goes on from step to step, for a restart that repeats the run:
+     *  forces, displacement, coefficient and acceleration, as numbers. */
+    std::vector<double>
+    save() const;
+
+    /** @throws InputError if the list is not one that save() made. */
+    void
+    load(const std::vector<double> &data);
+
   private:
     ConvergenceReport
     iterate(const double dt);

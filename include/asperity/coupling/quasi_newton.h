@@ -45,6 +45,12 @@ namespace asperity
     void
     reset() override;
 
+    std::vector<double>
+    save() const override;
+
+    void
+    load(const std::vector<double> &data) override;
+
     /** Columns in use after the filter. */
     unsigned int
     n_columns() const;

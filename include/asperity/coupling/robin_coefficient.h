@@ -4,6 +4,7 @@
 #include <asperity/coupling/coupling_sides.h>
 
 #include <optional>
+#include <vector>
 
 namespace asperity
 {
@@ -59,6 +60,13 @@ namespace asperity
 
     double
     value() const;
+
+    /** What a restart needs, between steps. */
+    std::vector<double>
+    save() const;
+
+    void
+    load(const std::vector<double> &data);
 
   private:
     /** Of the tangent at the solid's last result. */
