@@ -160,6 +160,9 @@ namespace asperity
          "far below 1 the oil has no inertia: Reynolds or Stokes"});
       if (lubrication.model == LubricantModel::automatic)
         audit.lubricant = choose_lubricant(lubrication.wetting, flow_pressure);
+      // Only its mass holds a chip whose balance and flow are solved in turn.
+      if (fills_gap(audit.lubricant))
+        audit.inertia = Inertia::dynamic;
     }
 
     /** What the reader and the treatment of measured surfaces complain of. */

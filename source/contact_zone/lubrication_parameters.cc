@@ -1,4 +1,5 @@
 #include <asperity/base/errors.h>
+#include <asperity/base/quantity.h>
 #include <asperity/contact_zone/lubrication_parameters.h>
 
 namespace asperity
@@ -9,7 +10,9 @@ namespace asperity
       {"automatic", LubricantModel::automatic},
       {"none", LubricantModel::none},
       {"pocket", LubricantModel::pocket},
-      {"Reynolds", LubricantModel::reynolds}};
+      {"Reynolds", LubricantModel::reynolds},
+      {"Stokes", LubricantModel::stokes},
+      {"Navier-Stokes", LubricantModel::navier_stokes}};
   } // namespace
 
 
@@ -25,6 +28,33 @@ namespace asperity
 
 
 
+  bool
+  fills_gap(const LubricantModel model)
+  {
+    return model == LubricantModel::stokes ||
+           model == LubricantModel::navier_stokes;
+  }
+
+
+
+  void
+  FilmMeshParameters::declare(ParameterDeclarator &parameters)
+  {
+    const auto in_section = parameters.subsection("Film mesh");
+    parameters.integer("Columns per span",
+                       columns_per_span,
+                       Range::between(1, 100),
+                       "Models `Stokes` and `Navier-Stokes`: columns of the "
+                       "oil's quadratic cells on a span of the chip's edge.");
+    parameters.integer("Rows",
+                       rows,
+                       Range::between(1, 100),
+                       "Models `Stokes` and `Navier-Stokes`: cells between "
+                       "chip and tool.");
+  }
+
+
+
   void
   LubricationParameters::declare(ParameterDeclarator &parameters)
   {
@@ -36,8 +66,11 @@ namespace asperity
                         "What the oil between tool and chip is: `none`, dry "
                         "contact; `pocket`, liquid enclosed in the voids, one "
                         "pressure a pocket, no flow; `Reynolds`, a thin film "
-                        "that flows, cavitates and shears; `automatic`, as the "
-                        "scene audit says.");
+                        "that flows, cavitates and shears; `Stokes` and "
+                        "`Navier-Stokes`, the flow in the whole gap, without "
+                        "and with the inertia of the oil, which is "
+                        "incompressible and fills the void; `automatic`, as "
+                        "the scene audit says.");
       parameters.number("Wetting",
                         wetting,
                         Range::between(0., 1.),
@@ -55,10 +88,12 @@ namespace asperity
                           residual_film,
                           "nm",
                           Range::positive(),
-                          "Model `Reynolds`: the thickness of the film where "
+                          "Models with flow: the thickness of the film where "
                           "the surfaces touch.");
     }
     oil.declare(parameters);
+    mesh.declare(parameters);
+    coupling.declare(parameters);
   }
 
 
@@ -72,6 +107,12 @@ namespace asperity
       throw InputError(parameters.where("Lubrication/Wetting") +
                        ": found 0, so that there is no oil; expected a "
                        "positive number, or the model `none`.");
+    if (fills_gap(model) && wetting != 1.)
+      throw InputError(parameters.where("Lubrication/Wetting") + ": found " +
+                       format_number(wetting) + ", but the model `" +
+                       name(model) +
+                       "` fills the void with oil; expected 1, or the model "
+                       "`pocket` or `Reynolds`.");
     oil.check();
   }
 } // namespace asperity

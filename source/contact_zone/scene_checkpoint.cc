@@ -68,6 +68,8 @@ namespace asperity
     checkpoint.set("hints", scene.contact->hints());
     if (scene.lubricant)
       checkpoint.set("lubricant", scene.lubricant->save());
+    if (const LubricatedStep *step = run.lubricated_step())
+      checkpoint.set("lubricated step", step->save());
     if (const GeneralizedAlpha *dynamics = run.dynamics())
       {
         checkpoint.set("velocity", dynamics->v.begin(), dynamics->v.end());
@@ -109,6 +111,8 @@ namespace asperity
       checkpoint.doubles("hints", scene.contact->hints().size()));
     if (scene.lubricant)
       scene.lubricant->load(checkpoint.doubles("lubricant"));
+    if (LubricatedStep *step = run.lubricated_step())
+      step->load(checkpoint.doubles("lubricated step"));
     if (GeneralizedAlpha *dynamics = run.dynamics())
       {
         dynamics->u    = state.u;

@@ -53,6 +53,12 @@ namespace asperity
     , checkpoints(parameters.output.directory + "/checkpoint")
     , last_picture(restart_step)
   {
+    if (scene.gap_flow != nullptr)
+      oil = std::make_unique<VtuSeries>(parameters.output.directory,
+                                        "oil",
+                                        restart_step > 0 ?
+                                          static_cast<int>(restart_step) :
+                                          VtuSeries::keep_nothing);
     table       = restart_step > 0 ?
                     std::make_unique<FrictionTable>(parameters.output.directory,
                                               restart_step) :
@@ -143,6 +149,10 @@ namespace asperity
     contact_line.write(step, time, [&](std::ostream &out) {
       write_polyline(out, line, time, step);
     });
+    if (oil)
+      oil->write(step, time, [&](std::ostream &out) {
+        scene.gap_flow->write(out, time, step);
+      });
   }
 
 
@@ -222,10 +232,12 @@ namespace asperity
     {
       const EquilibriumCost &cost = scene.equilibrium->cost();
       json                   summary;
-      summary["wall_time"]         = wall_time;
-      summary["assembly"]          = cost.assembly;
-      summary["factorisation"]     = cost.factorisation;
-      summary["solution"]          = cost.solution;
+      summary["wall_time"]     = wall_time;
+      summary["assembly"]      = cost.assembly;
+      summary["factorisation"] = cost.factorisation;
+      summary["solution"]      = cost.solution;
+      if (scene.gap_flow != nullptr)
+        summary["flow"] = scene.gap_flow->seconds();
       summary["output"]            = output_seconds;
       summary["steps"]             = run.state().step;
       summary["cuts"]              = run.n_cuts();

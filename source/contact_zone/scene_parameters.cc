@@ -234,6 +234,14 @@ namespace asperity
     tool.check(parameters, "Tool");
     chip.check(parameters, "Chip surface");
     lubrication.check(parameters);
+    if (fills_gap(lubrication.model) &&
+        protocol.inertia == Inertia::quasi_static)
+      throw InputError(parameters.where("Protocol/Inertia") +
+                       ": found quasi-static with the lubricant model `" +
+                       name(lubrication.model) +
+                       "`; expected dynamic or automatic, since a chip that "
+                       "floats on oil is held by its mass alone while the flow "
+                       "is solved for.");
     if (geometry.initial_gap < 0.)
       throw InputError(parameters.where("Geometry/Initial gap") + ": found " +
                        format_quantity(geometry.initial_gap, "um") +

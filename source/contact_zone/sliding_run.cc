@@ -29,6 +29,13 @@ namespace asperity
     old_forces.reinit(scene.n_unknowns());
     mass = scene.equilibrium->make_matrix();
     scene.chip->assemble_mass(*mass);
+    if (scene.gap_flow != nullptr)
+      lubricated_step_ = std::make_unique<LubricatedStep>(
+        *scene.equilibrium,
+        *scene.gap_flow,
+        1. - dynamics_->alpha_f(),
+        [this](Vector &u) { return solve(u); },
+        parameters.lubrication.coupling);
   }
 
 
@@ -113,7 +120,8 @@ namespace asperity
         for (unsigned int i = 0; i < u.size(); ++i)
           if (scene.is_prescribed()[i])
             u(i) = protocol_.displacement(state_.time + dt);
-        const ConvergenceReport report = solve(u);
+        const ConvergenceReport report =
+          lubricated_step_ ? lubricated_step_->advance(u, dt) : solve(u);
         if (report.converged)
           {
             accept(u, dt);
@@ -128,15 +136,27 @@ namespace asperity
 
 
 
+  double
+  SlidingRun::newton_tolerance() const
+  {
+    double tolerance = parameters.solver.tolerance;
+    // What the chip leaves unbalanced is noise to the coupling.
+    if (lubricated_step_)
+      tolerance =
+        std::min(tolerance, 0.01 * parameters.lubrication.coupling.tolerance);
+    return tolerance * parameters.load.pressure * scene.length;
+  }
+
+
+
   ConvergenceReport
   SlidingRun::solve(Vector &u)
   {
     // A pass of the augmented-Lagrange loop or of the exchange with the
     // lubricant asks for the chip's balance again.
     NewtonOptions options;
-    options.maximum_iterations = parameters.solver.maximum_iterations;
-    options.tolerance =
-      parameters.solver.tolerance * parameters.load.pressure * scene.length;
+    options.maximum_iterations  = parameters.solver.maximum_iterations;
+    options.tolerance           = newton_tolerance();
     options.n_energy_components = scene.n_dofs();
     for (unsigned int augmentations = 0;;)
       {
@@ -379,6 +399,14 @@ namespace asperity
   SlidingRun::dynamics() const
   {
     return dynamics_.get();
+  }
+
+
+
+  LubricatedStep *
+  SlidingRun::lubricated_step() const
+  {
+    return lubricated_step_.get();
   }
 
 

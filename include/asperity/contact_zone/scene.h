@@ -2,6 +2,7 @@
 #define asperity_contact_zone_scene_h
 
 #include <asperity/contact/contact_assembler.h>
+#include <asperity/contact_zone/gap_flow.h>
 #include <asperity/contact_zone/scene_parameters.h>
 #include <asperity/contact_zone/surface.h>
 #include <asperity/fluid/lubricant.h>
@@ -71,7 +72,8 @@ namespace asperity
     std::unique_ptr<SolidAssembler>    chip;
     std::unique_ptr<ContactAssembler>  contact;
     std::unique_ptr<Lubricant>         lubricant; ///< null: dry
-    std::unique_ptr<Equilibrium>       equilibrium;
+    GapFlow *gap_flow = nullptr; ///< the lubricant, if it is one
+    std::unique_ptr<Equilibrium> equilibrium;
 
   private:
     void
@@ -85,6 +87,9 @@ namespace asperity
 
     void
     build_film(const SceneParameters &parameters);
+
+    void
+    build_flow(const SceneParameters &parameters);
 
     dealii::Vector<double> initial_unknowns_;
 

@@ -15,8 +15,8 @@
 namespace asperity
 {
   /**
-   * The output directory of a run: friction.csv, pictures of chip, tool and
-   * contact line, checkpoints, and at the end summary.json.
+   * The output directory of a run: friction.csv, pictures of chip, tool,
+   * contact line and flow, checkpoints, and at the end summary.json.
    */
   class SceneOutput
   {
@@ -55,6 +55,7 @@ namespace asperity
     std::unique_ptr<FrictionTable> table;
     std::unique_ptr<ChipOutput>    chip_output;
     VtuSeries                      chip, tool, contact_line;
+    std::unique_ptr<VtuSeries>     oil; ///< of an oil that fills the gap
     CheckpointFolder               checkpoints;
     unsigned int                   last_picture = 0;
     double                         seconds_     = 0.;

@@ -4,6 +4,7 @@
 #include <asperity/base/statistics.h>
 #include <asperity/contact_zone/friction_result.h>
 #include <asperity/contact_zone/load_protocol.h>
+#include <asperity/contact_zone/lubricated_step.h>
 #include <asperity/contact_zone/scene.h>
 #include <asperity/time_integration/generalized_alpha.h>
 
@@ -29,7 +30,8 @@ namespace asperity
    * Loads the chip and slides it under the tool: for each step a predictor,
    * Newton's method, the augmented-Lagrange loop on request. A step that does
    * not converge is tried with the next predictor (extrapolation, rigid
-   * translation), then halved.
+   * translation), then halved. With oil that fills the gap, chip and flow are
+   * solved in turn, see LubricatedStep.
    */
   class SlidingRun
   {
@@ -66,6 +68,10 @@ namespace asperity
     GeneralizedAlpha *
     dynamics() const;
 
+    /** Nullptr unless oil fills the gap. */
+    LubricatedStep *
+    lubricated_step() const;
+
     /** Forces at the start of the step (dynamic runs; see GeneralizedAlpha). */
     dealii::Vector<double> old_forces;
 
@@ -85,6 +91,11 @@ namespace asperity
     bool
     try_step(const double dt, std::string &reason);
 
+    /** Norm of the chip's residual at which Newton's method ends [N/m]. */
+    double
+    newton_tolerance() const;
+
+    /** Of the chip, under the present load of the oil. */
     ConvergenceReport
     solve(dealii::Vector<double> &u);
 
@@ -123,6 +134,7 @@ namespace asperity
 
     std::unique_ptr<GeneralizedAlpha>             dynamics_;
     std::unique_ptr<dealii::SparseMatrix<double>> mass;
+    std::unique_ptr<LubricatedStep>               lubricated_step_;
   };
 } // namespace asperity
 

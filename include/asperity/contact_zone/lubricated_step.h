@@ -1,0 +1,95 @@
+#ifndef asperity_contact_zone_lubricated_step_h
+#define asperity_contact_zone_lubricated_step_h
+
+#include <asperity/contact_zone/gap_flow.h>
+#include <asperity/coupling/partitioned_step.h>
+#include <asperity/solid/equilibrium.h>
+
+#include <functional>
+
+namespace asperity
+{
+  /** The chip, with its contact, loads and inertia, as one side of a coupled
+   *  step with the oil in the gap. */
+  class ChipSide : public SolidSide
+  {
+  public:
+    /** Solves the balance of the chip; starts from u. */
+    using Solve = std::function<ConvergenceReport(Vector &u)>;
+
+    /**
+     * @param equilibrium has the oil among its terms, and load and inertia of
+     *   the step
+     * @param force_weight of new forces in the balance, 1 - alpha_f of
+     *   GeneralizedAlpha
+     */
+    ChipSide(Equilibrium &equilibrium,
+             GapFlow     &oil,
+             const double force_weight,
+             const Solve &solve);
+
+    /** First guess of the next step, with the prescribed values. */
+    void
+    start_from(const Vector &u);
+
+    /** The last result. */
+    const Vector &
+    displacement() const;
+
+    void
+    begin_step(const double dt) override;
+
+    ConvergenceReport
+    solve(const Vector &force, Vector &displacement) override;
+
+    bool
+    compliance(const Vector &force, Vector &displacement) override;
+
+    void
+    accept() override;
+
+  private:
+    Equilibrium &equilibrium;
+    GapFlow     &oil;
+    double       force_weight;
+    Solve        solve_balance;
+    Vector       start, u;
+    bool         is_factorised = false; ///< a tangent of the present step
+  };
+
+
+
+  /** A step of chip and oil together: PartitionedStep between ChipSide and
+   *  GapFlow. */
+  class LubricatedStep
+  {
+  public:
+    using Vector = dealii::Vector<double>;
+
+    /** See ChipSide. */
+    LubricatedStep(Equilibrium              &equilibrium,
+                   GapFlow                  &oil,
+                   const double              force_weight,
+                   const ChipSide::Solve    &solve,
+                   const CouplingParameters &parameters);
+
+    /** Solves for the chip's displacement u, from a first guess; the oil
+     *  accepts the step with it. */
+    ConvergenceReport
+    advance(Vector &u, const double dt);
+
+    /** All that a restart needs, as a list of numbers. */
+    std::vector<double>
+    save() const;
+
+    /** @throws InputError if the list is not one that save() made. */
+    void
+    load(const std::vector<double> &data);
+
+  private:
+    ChipSide        chip;
+    PartitionedStep step;
+  };
+} // namespace asperity
+
+#endif
