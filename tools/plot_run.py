@@ -9,12 +9,14 @@ Writes into the output directory (or FOLDER)
                            strain, the tool, the oil coloured by its pressure, and
                            the contact force on the chip as arrows: the hardest
                            contact and two periods
+  oil_flow.png             if the oil fills the gap as a flow: its pressure, less
+                           the mean, and its velocity; the height stretched
   friction.png             mu and contact fraction over time and sliding
                            distance; the averaging window is shaded, with the
                            mean and its spread
 
 Reads chip.pvd, tool.pvd, contact.pvd and their .vtu files, friction.csv, and,
-if there, summary.json (load; friction.mu, friction.spread, and friction.window:
+if there, oil.pvd and summary.json (load; friction.mu, friction.spread, and friction.window:
 the times [s] at which the window starts and ends).
 """
 
@@ -337,6 +339,51 @@ def plot_topography(directory, step, target):
     plt.close(figure)
 
 
+def thinned(points, n_bins):
+    """Of the points of a mesh, those next to the middles of the cells of a
+    regular grid over it."""
+    low, size = points.min(axis=0), np.ptp(points, axis=0)
+    place = (points - low) / size * n_bins
+    cell = np.minimum(place.astype(int), np.array(n_bins) - 1)
+    distance = np.linalg.norm(place - cell - 0.5, axis=1)
+    order = np.argsort(distance)
+    _, first = np.unique(cell[order] @ [1, n_bins[0]], return_index=True)
+    return order[first]
+
+
+def plot_flow(directory, step, target):
+    """Pressure and velocity of an oil that fills the gap, one period."""
+    scene = Scene(directory, step)
+    oil = part_at(directory, "oil", scene.step)
+    points = oil.points * UM
+    pressure = mean_at_points(points, oil.field("pressure")) * 1e-6
+    mean = np.average(scene.oil_pressure)
+    difference = pressure - mean
+    velocity = oil.field("velocity")
+    limit = max(np.quantile(abs(difference), 0.998), 1e-9)
+    triangles = np.concatenate([oil.cells[:, [0, 1, 2]], oil.cells[:, [0, 2, 3]]])
+
+    figure, axes = plt.subplots(figsize=(11., 4.5), constrained_layout=True)
+    image = axes.tripcolor(points[:, 0], points[:, 1], triangles, difference,
+                           shading="gouraud", cmap="RdBu_r", rasterized=True,
+                           norm=matplotlib.colors.Normalize(-limit, limit))
+    chosen = thinned(points, (48, 14))
+    axes.quiver(points[chosen, 0], points[chosen, 1], *velocity[chosen].T,
+                color=ARROW_COLOUR, width=0.0012, zorder=3)
+    left, right = points[:, 0].min(), points[:, 0].max()
+    for shift in scene.copies(scene.tool, left, right):
+        axes.plot(scene.tool[:, 0] + shift, scene.tool[:, 1], color="#4a4f57")
+    axes.set(xlim=(left, right), xlabel="x [µm]", ylabel="y [µm]")
+    figure.colorbar(image, ax=axes, pad=0.01).set_label(
+        f"oil pressure less its mean of {mean:.4g} MPa [MPa]")
+    figure.suptitle(heading(directory, read_summary(directory)) +
+                    f", t = {scene.time * 1e6:.4g} µs; arrows: velocity of the "
+                    f"oil, the fastest {np.linalg.norm(velocity, axis=1).max():.3g} m/s",
+                    fontsize=10)
+    figure.savefig(target, dpi=120)
+    plt.close(figure)
+
+
 def window_of(summary):
     """(time window, mean, spread) of the average that the run reports, or None
     for each that it does not."""
@@ -414,6 +461,10 @@ def main():
         friction = os.path.join(folder, "friction.png")
         plot_friction(arguments.directory, friction)
         print(topography, friction, sep="\n")
+        if os.path.exists(os.path.join(arguments.directory, "oil.pvd")):
+            flow = os.path.join(folder, "oil_flow.png")
+            plot_flow(arguments.directory, arguments.step, flow)
+            print(flow)
     except RunError as error:
         print(f"plot_run.py: {error}", file=sys.stderr)
         return 2

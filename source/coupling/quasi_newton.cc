@@ -148,9 +148,12 @@ namespace asperity
   QuasiNewton::save() const
   {
     // Number of unknowns, then each step: number of columns, the columns.
-    std::vector<double> data(1, old_residual.size());
+    // (The last residual is no measure: a step may have needed none.)
+    std::vector<double> data(1, 0.);
     for (const Step &step : steps)
       {
+        if (!step.empty())
+          data[0] = step.front().residual.size();
         data.push_back(step.size());
         for (const Column &column : step)
           for (const Vector *v : {&column.residual, &column.output})

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 namespace
 {
@@ -206,5 +207,10 @@ namespace
                                       {.09122, .35255, .78775, 1.66277}},
                     TrappedPocketCase{10.,
                                       {.10158, .10604, .11319, .12661},
-                                      {.10156, .39306, .87879, 1.84995}}));
+                                      {.10156, .39306, .87879, 1.84995}}),
+    [](const auto &info) {
+      return "ModulusOver" +
+             std::to_string(static_cast<int>(10. * info.param.modulus + 0.5)) +
+             "TenthsOfFullPressure";
+    });
 } // namespace

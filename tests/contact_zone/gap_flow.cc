@@ -1,0 +1,154 @@
+#include <asperity/base/errors.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scene_examples.h"
+
+using namespace asperity;
+
+namespace
+{
+  /** A rough chip below the tool of R0, the gap full of oil. */
+  SceneParameters
+  flooded_scene()
+  {
+    SceneParameters parameters   = coarse_scene();
+    parameters.chip.kind         = SurfaceKind::harmonics;
+    parameters.chip.wave_numbers = {2, 3, 5};
+    parameters.chip.amplitudes   = {0.03e-6, 0.03e-6, 0.02e-6};
+    parameters.chip.phases       = {1, 2, 3};
+    // Wide enough for the surfaces never to touch.
+    parameters.geometry.initial_gap  = 0.1e-6;
+    parameters.protocol.inertia      = Inertia::dynamic;
+    parameters.lubrication.model     = LubricantModel::navier_stokes;
+    parameters.lubrication.mesh.rows = 2;
+    return parameters;
+  }
+
+  /** Whatever is wrong, as the user reads it. */
+  std::string
+  complaint(SceneParameters parameters)
+  {
+    dealii::ParameterHandler handler;
+    ParameterDeclarator      declarator(handler);
+    SceneParameters          declared;
+    declared.declare(declarator);
+    try
+      {
+        parameters.check(declarator);
+      }
+    catch (const InputError &error)
+      {
+        return error.what();
+      }
+    return "";
+  }
+} // namespace
+
+// The coupled step leaves chip, oil and tool in balance: in generalized-alpha,
+// with the mass m of the chip and its mean vertical acceleration a,
+//   m ((1 - alpha_m) a_1 + alpha_m a_0)
+//     = (1 - alpha_f) (T_1 + p_1 L) + alpha_f (T_0 + p_0 L).
+TEST(GapFlow, carries_load_and_inertia)
+{
+  const SceneParameters parameters = flooded_scene();
+  const double          rho        = parameters.protocol.spectral_radius;
+  const double          alpha_m    = (2. * rho - 1.) / (rho + 1.),
+               alpha_f             = rho / (rho + 1.);
+
+  Scene      scene(parameters);
+  SlidingRun run(parameters, scene);
+  const auto mass = scene.equilibrium->make_matrix();
+  scene.chip->assemble_mass(*mass);
+  const dealii::Vector<double> lift = scene.translation(0., 1.);
+  dealii::Vector<double>       inertia(lift.size());
+  double                       old_inertia = 0., old_force = 0., n_steps = 0.;
+  run.run([&](const SlidingRun &now) {
+    const FrictionRow &row = now.state().rows.back();
+    mass->vmult(inertia, now.dynamics()->a);
+    const double new_inertia = lift * inertia;
+    const double new_force =
+      row.T_y + now.protocol().pressure(row.time) * scene.length;
+    EXPECT_NEAR((1. - alpha_m) * new_inertia + alpha_m * old_inertia,
+                (1. - alpha_f) * new_force + alpha_f * old_force,
+                1e-4 * parameters.load.pressure * scene.length)
+      << "step " << row.step;
+    old_inertia = new_inertia;
+    old_force   = new_force;
+    ++n_steps;
+  });
+  EXPECT_EQ(n_steps, 15.);
+  // Oil carries nearly all.
+  const FrictionRow &last = run.state().rows.back();
+  EXPECT_NEAR(last.oil_pressure / parameters.load.pressure, 1., 0.1);
+}
+
+// Up to what 40 quadratic columns make of the tool while it slides 55 nm a step.
+TEST(GapFlow, keeps_its_volume_in_every_step)
+{
+  const CompleteRun run(flooded_scene());
+  const double      start = run.rows()[1].oil_reference_volume;
+  for (unsigned int i = 1; i < run.rows().size(); ++i)
+    EXPECT_NEAR(run.rows()[i].void_volume, start, 2e-5 * start) << "step " << i;
+}
+
+// Lubrication theory of a flat wall that slides with U below a rigid wall at
+// rest of small slope (O. Reynolds, 1886): with the gap h and I_n the integral
+// of h^-n over the period, the flow is q = U I_2/(2 I_3) and the shear stress
+// on the sliding wall -4 eta U/h + 6 eta q/h^2.
+TEST(GapFlow, shears_as_lubrication_theory_says)
+{
+  SceneParameters parameters      = flooded_scene();
+  parameters.chip.kind            = SurfaceKind::flat;
+  parameters.tool.wave_numbers    = {1, 2};
+  parameters.tool.amplitudes      = {0.05e-6, 0.02e-6};
+  parameters.tool.phases          = {0.3, 1.9};
+  parameters.geometry.initial_gap = 0.1e-6;
+  parameters.load.pressure        = 1e6;
+  parameters.lubrication.model    = LubricantModel::stokes;
+  const CompleteRun run(parameters);
+
+  const double U   = parameters.load.velocity;
+  const double eta = parameters.lubrication.oil.viscosity.viscosity;
+  const auto   sum = [&](const double n) {
+    const unsigned int n_points = 1000;
+    double             integral = 0.;
+    for (unsigned int i = 0; i < n_points; ++i)
+      {
+        const double x = run.scene.length * i / n_points;
+        integral += std::pow(run.scene.tool_surface.height(x) -
+                               parameters.geometry.height,
+                             -n);
+      }
+    return integral * run.scene.length / n_points;
+  };
+  const double q     = 0.5 * U * sum(2.) / sum(3.);
+  const double shear = -4. * eta * U * sum(1.) + 6. * eta * q * sum(2.);
+  // Slopes are at most 0.06, the chip gives way by 1e-4 of the gap.
+  EXPECT_NEAR(run.rows().back().shear_T_x / shear, 1., 0.005);
+}
+
+TEST(GapFlow, refuses_what_it_cannot_represent)
+{
+  SceneParameters parameters     = flooded_scene();
+  parameters.lubrication.wetting = 0.5;
+  EXPECT_NE(complaint(parameters).find("fills the void"), std::string::npos);
+  parameters.lubrication.wetting = 1.;
+  parameters.protocol.inertia    = Inertia::quasi_static;
+  EXPECT_NE(complaint(parameters).find("expected dynamic or automatic"),
+            std::string::npos);
+  parameters.protocol.inertia = Inertia::automatic;
+  EXPECT_EQ(complaint(parameters), "");
+}
+
+TEST(GapFlow, makes_the_chip_dynamic)
+{
+  SceneParameters parameters  = flooded_scene();
+  parameters.protocol.inertia = Inertia::automatic;
+  const Scene scene(parameters);
+  EXPECT_EQ(audit_scene(parameters, scene).inertia, Inertia::dynamic);
+}
