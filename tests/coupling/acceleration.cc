@@ -235,6 +235,31 @@ TEST(Acceleration, ARestBetweenStepsChangesNothing)
 
 
 
+TEST(Acceleration, QuasiNewtonGoesOnFromWhatItSaved)
+{
+  // Also after a step that has ended at once and left no residual behind.
+  const unsigned int n = 3;
+  LinearMap          H(n);
+  QuasiNewton        method(0.3, 2, 1e-6);
+  method.start_step();
+  Vector x(n);
+  for (unsigned int k = 0; k < n + 1; ++k)
+    x = method.next(x, H(x));
+  method.finish_step(true);
+  method.start_step();
+  method.finish_step(true);
+
+  QuasiNewton other(0.3, 2, 1e-6);
+  other.load(method.save());
+  EXPECT_EQ(other.n_columns(), n);
+  H.solution(1) -= 2.;
+  method.start_step();
+  other.start_step();
+  EXPECT_EQ(distance(method.next(x, H(x)), other.next(x, H(x))), 0.);
+}
+
+
+
 TEST(Acceleration, RejectsAFactorWithoutMeaning)
 {
   AccelerationParameters parameters;
