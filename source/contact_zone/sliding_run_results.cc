@@ -1,0 +1,78 @@
+#include <asperity/contact_zone/sliding_run.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity
+{
+  void
+  SlidingRun::record(const double seconds)
+  {
+    const ContactState contact = scene.contact->state();
+    FrictionRow        row;
+    row.step             = state_.step;
+    row.time             = state_.time;
+    row.sliding_distance = protocol_.displacement(state_.time);
+    row.T_x              = contact.force[0];
+    row.T_y              = contact.force[1];
+    if (scene.lubricant)
+      record_lubricant(row);
+    row.mu                   = row.T_y != 0. ? std::abs(row.T_x / row.T_y) : 0.;
+    row.contact_fraction     = contact.contact_fraction;
+    row.max_contact_pressure = contact.max_pressure;
+    row.max_penetration      = std::max(0., contact.max_penetration);
+    row.mean_gap             = contact.mean_gap;
+    for (const MaterialState &point : scene.chip->history())
+      {
+        row.max_plastic_strain =
+          std::max(row.max_plastic_strain, point.plastic_strain);
+        row.max_temperature = std::max(row.max_temperature, point.temperature);
+      }
+    unsigned int iterations = 0;
+    for (const FrictionRow &earlier : state_.rows)
+      iterations += earlier.newton_iterations;
+    row.newton_iterations = statistics.iterations - iterations;
+    // Those of this process: a restarted one has not made the earlier ones.
+    const unsigned int factorisations =
+      scene.equilibrium->cost().factorisations;
+    row.factorisations      = factorisations - recorded_factorisations;
+    recorded_factorisations = factorisations;
+    row.wall_time           = seconds;
+    state_.rows.push_back(row);
+  }
+
+
+
+  void
+  SlidingRun::record_lubricant(FrictionRow &row) const
+  {
+    const LubricantState       oil   = scene.lubricant->state();
+    const dealii::Tensor<1, 2> force = oil.pressure_force + oil.shear_force;
+    row.T_x += force[0];
+    row.T_y += force[1];
+    row.oil_pressure         = oil.mean_pressure;
+    row.max_oil_pressure     = oil.max_pressure;
+    row.oil_T_x              = oil.pressure_force[0];
+    row.shear_T_x            = oil.shear_force[0];
+    row.shear_T_y            = oil.shear_force[1];
+    row.void_volume          = oil.void_volume;
+    row.oil_volume           = oil.oil_volume;
+    row.oil_reference_volume = oil.reference_volume;
+    row.pockets              = oil.n_pockets;
+    row.coupling_iterations  = oil.coupling_iterations;
+  }
+
+
+
+  FrictionResult
+  SlidingRun::friction() const
+  {
+    const double end   = state_.time;
+    const double begin = parameters.protocol.window == FrictionWindow::time ?
+                           (1. - parameters.protocol.window_fraction) * end :
+                           std::max(0.,
+                                    end - parameters.protocol.steady_distance /
+                                            parameters.load.velocity);
+    return average_friction(state_.rows, begin, end);
+  }
+} // namespace asperity
