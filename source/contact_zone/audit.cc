@@ -113,14 +113,17 @@ namespace asperity
       return sum / n;
     }
 
-    /** The rung that the numbers ask for. */
+    /** The rung that the numbers ask for. A void that is not full needs the
+     *  film even where hardly anything flows: oil that is dragged into the
+     *  contacts separates them, which no pressure of a whole pocket knows
+     *  (tools/benchmarks/README.md, "The lubricated scene"). */
     LubricantModel
     choose_lubricant(const double wetting, const double flow_pressure)
     {
       if (wetting == 0.)
         return LubricantModel::none;
-      return flow_pressure < 0.05 ? LubricantModel::pocket :
-                                    LubricantModel::reynolds;
+      return wetting == 1. && flow_pressure < 0.01 ? LubricantModel::pocket :
+                                                     LubricantModel::reynolds;
     }
 
     void
@@ -149,7 +152,7 @@ namespace asperity
       audit.entries.push_back(
         {"pressure differences by flow over the load",
          flow_pressure,
-         "below 0.05 one pressure a pocket describes the oil; above it the "
+         "below 0.01 one pressure describes the oil of a full void; else the "
          "film's own pressure counts"});
       audit.entries.push_back({"viscous shear over the load",
                                eta * v / (h * p),

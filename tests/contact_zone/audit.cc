@@ -142,8 +142,12 @@ TEST(SceneAudit, chooses_the_lubricant_model_by_the_flow)
               1. - std::pow(1. + 10. * 0.3 / 1.6, -0.1),
               1e-6);
 
-  parameters.load.velocity = 200.;
-  audit                    = audit_scene(parameters, scene);
+  parameters.lubrication.wetting = 0.6;
+  audit                          = audit_scene(parameters, scene);
+  EXPECT_EQ(audit.lubricant, LubricantModel::reynolds);
+  parameters.lubrication.wetting = 1.;
+  parameters.load.velocity       = 200.;
+  audit                          = audit_scene(parameters, scene);
   EXPECT_EQ(audit.lubricant, LubricantModel::reynolds);
   parameters.lubrication.wetting = 0.;
   audit                          = audit_scene(parameters, scene);
