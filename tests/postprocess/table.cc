@@ -98,8 +98,11 @@ TEST(FrictionTable, headings_name_every_unit_and_rows_are_on_disk_at_once)
             "step,time [s],sliding distance [m],T_x [N/m],T_y [N/m],mu [-],"
             "contact fraction [-],max contact pressure [Pa],"
             "max plastic strain [-],max temperature [K],mean gap [m],"
-            "max penetration [m],newton iterations [-],factorisations [-],"
-            "wall time [s]");
+            "max penetration [m],oil pressure [Pa],max oil pressure [Pa],"
+            "oil T_x [N/m],shear T_x [N/m],shear T_y [N/m],void volume [m^2],"
+            "oil volume [m^2],oil reference volume [m^2],pockets [-],"
+            "coupling iterations [-],newton iterations [-],"
+            "factorisations [-],wall time [s]");
   EXPECT_EQ(rows[1].substr(0, 8), "8,8e-09,");
   EXPECT_NE(rows[1].find(",0.3333333333333333,2500000000,0,298.15,"),
             std::string::npos);
@@ -113,11 +116,12 @@ TEST(FrictionTable, companion_shows_people_units)
   FrictionTable(folder).append(row_of_step(8));
   const auto rows = lines(folder + "/friction_units.csv");
   ASSERT_EQ(rows.size(), 2u);
-  // 8e-9 s, 3e-9 m, 300 N/m, 2.5e9 Pa and 298.15 K by hand.
+  // 8e-9 s, 3e-9 m, 300 N/m, 2.5e9 Pa and 298.15 K by hand; no oil.
   EXPECT_EQ(rows[0].substr(0, 46),
             "step,time [us],sliding distance [um],T_x [N/mm");
   EXPECT_EQ(rows[1],
-            "8,0.008,0.003,0.3,-3,0.1,0.333333333333,2500,0,25,0,0,4,0,0");
+            "8,0.008,0.003,0.3,-3,0.1,0.333333333333,2500,0,25,0,0,"
+            "0,0,0,0,0,0,0,0,0,0,4,0,0");
 }
 
 
