@@ -243,7 +243,7 @@ TEST_F(BadInput, wetting_beyond_the_void)
 {
   EXPECT_EQ(refusal(in("Lubrication", "set Wetting = 1.5")),
             "Error: scene.prm, line 2, entry 'Lubrication/Wetting': '1.5' is "
-            "out of range; a number between 0 and 1 is expected.\n");
+            "out of range; 0 to 1 is expected.\n");
 }
 
 TEST_F(BadInput, lubricant_without_oil)
