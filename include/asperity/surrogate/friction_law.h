@@ -1,0 +1,163 @@
+#ifndef asperity_surrogate_friction_law_h
+#define asperity_surrogate_friction_law_h
+
+#include <asperity/surrogate/gaussian_process.h>
+
+#include <nlohmann/json.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace asperity
+{
+  /** On which scale a quantity is nearly linear for the Gaussian process. */
+  enum class Scale
+  {
+    linear,
+    logarithmic
+  };
+
+  /**
+   * An input of a law, with the box of its training data. The process sees
+   * z = (g(x) - g(lower)) / (g(upper) - g(lower)), g = identity or logarithm.
+   */
+  struct LawInput
+  {
+    std::string name;   ///< path of the scene's entry, "Load/Pressure"
+    std::string symbol; ///< "p", "v", "T", or the key without blanks
+    std::string unit;   ///< for people, "MPa"; all numbers here are SI
+    double      lower = 0., upper = 1.;
+    Scale       scale = Scale::linear;
+  };
+
+  /**
+   * Shear strength of the chip, the limit of tau in the sticking zone (Zorev):
+   * k(T) = k_0 (1 - T*^m), T* = (T - T_transition) / (T_melt - T_transition) in
+   * [0, 1]; k_0 = (A + B eps^n) (1 + C ln(rate / rate_0)) / sqrt(3) at the
+   * strain and rate that are stated.
+   */
+  struct ShearLimit
+  {
+    double k_0                    = 0.; ///< [Pa]; 0: unknown
+    double exponent               = 1.; ///< m
+    double transition_temperature = 0.; ///< [K]
+    double melting_temperature    = 0.; ///< [K]
+    double strain                 = 0.; ///< of k_0
+    double rate                   = 0.; ///< of k_0 [1/s]
+
+    double
+    operator()(const double temperature) const;
+  };
+
+  /** What a law says at one point; SI. */
+  struct LawPrediction
+  {
+    double              mean      = 0.;
+    double              deviation = 0.; ///< standard, of the fitted function
+    std::vector<double> gradient;       ///< d mean / d x, one an input
+    double              lower = 0., upper = 0.; ///< 95 % interval
+
+    /** Inside the box of the training data, with a deviation of at most
+     *  FrictionLaw::largest_trusted_deviation times the mean. */
+    bool trusted = false;
+  };
+
+  /** All that makes a law, before it is trained. */
+  struct FrictionLawDescription
+  {
+    std::vector<LawInput> inputs;
+    std::string           output       = "mu";
+    Scale                 output_scale = Scale::logarithmic;
+    KernelKind            kernel       = KernelKind::matern_5_2;
+
+    double largest_trusted_deviation = 0.05; ///< relative to the mean
+
+    /** Relative standard deviation between profiles of the same surface; 0 if
+     *  there was only one. Not a part of LawPrediction::deviation. */
+    double topography_scatter = 0.;
+
+    /** Relative leave-one-out error, mean of |error| / value; set by training.
+     */
+    double leave_one_out_error = 0.;
+
+    ShearLimit             shear_limit;
+    nlohmann::ordered_json provenance; ///< versions, files, date, design
+  };
+
+  /**
+   * mu (or another result) as a function of the scene's inputs: a Gaussian
+   * process behind the scales of inputs and output. With a logarithmic output
+   * the process is fitted to ln(mu): mean = exp(m), deviation = mean s, and the
+   * interval is exp(m -+ 1.96 s). The values that the process sees are centred
+   * and scaled to unit variance.
+   */
+  class FrictionLaw
+  {
+  public:
+    /**
+     * Trains the hyperparameters by maximum likelihood.
+     * @param x n x d inputs in SI @param y n values
+     * @param known_deviation standard deviation of each value, or empty
+     * @throws InputError if values are not positive on a logarithmic scale, not
+     *   finite, or fewer than d + 2
+     */
+    static FrictionLaw
+    train(const FrictionLawDescription &description,
+          const std::vector<double>    &x,
+          const std::vector<double>    &y,
+          const std::vector<double>    &known_deviation = {});
+
+    /** Inputs outside of the box are answered, but not trusted; those for which
+     *  the logarithm does not exist are clamped to the box. */
+    LawPrediction
+    predict(const double *x) const;
+
+    double
+    mean(const double *x) const;
+
+    /** @param x n x d inputs */
+    void
+    means(const std::size_t n, const double *x, double *result) const;
+
+    bool
+    is_inside(const double *x) const;
+
+    const FrictionLawDescription &
+    description() const;
+
+    const GaussianProcess &
+    process() const;
+
+    /** value of the process = (g(y) - offset) / factor */
+    double
+    offset() const;
+
+    double
+    factor() const;
+
+    nlohmann::ordered_json
+    to_json() const;
+
+    /** @throws InputError naming @p origin if the document is no law */
+    static FrictionLaw
+    from_json(const nlohmann::ordered_json &document,
+              const std::string            &origin);
+
+    /** @throws InputError if the file is missing or is no law */
+    static FrictionLaw
+    load(const std::string &path);
+
+    void
+    save(const std::string &path) const;
+
+  private:
+    FrictionLaw() = default;
+
+    FrictionLawDescription                 description_;
+    std::shared_ptr<const GaussianProcess> process_;
+    double                                 offset_ = 0., factor_ = 1.;
+  };
+} // namespace asperity
+
+#endif

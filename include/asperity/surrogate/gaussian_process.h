@@ -1,0 +1,111 @@
+#ifndef asperity_surrogate_gaussian_process_h
+#define asperity_surrogate_gaussian_process_h
+
+#include <cstddef>
+#include <vector>
+
+namespace asperity
+{
+  /** Covariance k(x, x') = s2 f(r), r^2 = sum over i of ((x_i - x'_i)/l_i)^2.
+   */
+  enum class KernelKind
+  {
+    rbf,        ///< f = exp(-r^2/2)
+    matern_3_2, ///< f = (1 + sqrt(3) r) exp(-sqrt(3) r)
+    matern_5_2  ///< f = (1 + sqrt(5) r + 5/3 r^2) exp(-sqrt(5) r)
+  };
+
+  struct Hyperparameters
+  {
+    double              signal_variance = 1.; ///< s2
+    std::vector<double> length_scales;        ///< l_i, one an input
+    double              noise_variance = 1e-6;
+  };
+
+  /** n points of d inputs with one value each; no units, no scaling. */
+  struct TrainingData
+  {
+    std::size_t         n_inputs = 0;
+    std::vector<double> x; ///< n x d, one point after the other
+    std::vector<double> y; ///< n
+
+    /** Variance of each value that is known beforehand, e.g. of a mean over
+     *  several profiles, beside the noise variance; empty: none. */
+    std::vector<double> known_variance;
+  };
+
+  /**
+   * Exact Gaussian process regression with zero prior mean (Rasmussen and
+   * Williams 2006, algorithm 2.1): K = k(X, X) + noise, L L^T = K,
+   * alpha = K^-1 y. Immutable, so that threads may share it.
+   */
+  class GaussianProcess
+  {
+  public:
+    /** @throws ComputationError if K is not positive definite even with the
+     *  largest jitter; see jitter() */
+    GaussianProcess(const KernelKind       kernel,
+                    const Hyperparameters &hyperparameters,
+                    const TrainingData    &data);
+
+    /** @param x d inputs */
+    double
+    mean(const double *x) const;
+
+    /** @param x n x d inputs, one point after the other @param result n means
+     */
+    void
+    means(const std::size_t n, const double *x, double *result) const;
+
+    /** d mean / d x. */
+    void
+    mean_gradient(const double *x, double *gradient) const;
+
+    /** Variance of the latent function, without noise; not negative. */
+    double
+    variance(const double *x) const;
+
+    /** log p(y | X) = -y^T alpha / 2 - sum log L_ii - n/2 log(2 pi). */
+    double
+    log_likelihood() const;
+
+    /** Its derivatives with respect to log s2, log l_i, log noise. */
+    std::vector<double>
+    log_likelihood_gradient() const;
+
+    /** Prediction at a training point by the other ones (closed form). */
+    struct LeftOut
+    {
+      double mean, variance; ///< variance with noise
+    };
+
+    std::vector<LeftOut>
+    leave_one_out() const;
+
+    /** What had to be added to the diagonal so that K could be factorised. */
+    double
+    jitter() const;
+
+    KernelKind
+    kernel() const;
+
+    const Hyperparameters &
+    hyperparameters() const;
+
+    const TrainingData &
+    data() const;
+
+    const std::vector<double> &
+    alpha() const;
+
+  private:
+    KernelKind          kernel_;
+    Hyperparameters     hyperparameters_;
+    TrainingData        data_;
+    std::vector<double> alpha_;
+    std::vector<double> factor; ///< L
+    double              jitter_ = 0.;
+  };
+} // namespace asperity
+
+#endif
