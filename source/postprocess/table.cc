@@ -1,5 +1,5 @@
+#include <asperity/base/atomic_file.h>
 #include <asperity/base/errors.h>
-#include <asperity/postprocess/atomic_file.h>
 #include <asperity/postprocess/table.h>
 
 #include <algorithm>

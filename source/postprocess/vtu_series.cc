@@ -1,4 +1,4 @@
-#include <asperity/postprocess/atomic_file.h>
+#include <asperity/base/atomic_file.h>
 #include <asperity/postprocess/vtu_series.h>
 
 #include <deal.II/base/data_out_base.h>

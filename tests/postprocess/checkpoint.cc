@@ -4,7 +4,7 @@
 #include <cstring>
 #include <limits>
 
-#include "files.h"
+#include "../files.h"
 
 using namespace asperity;
 

@@ -10,7 +10,7 @@
 #include <limits>
 #include <sstream>
 
-#include "files.h"
+#include "../files.h"
 #include "vtu_reader.h"
 
 using namespace asperity;

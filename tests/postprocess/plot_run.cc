@@ -13,7 +13,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "files.h"
+#include "../files.h"
 
 using namespace asperity;
 

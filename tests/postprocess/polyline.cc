@@ -6,7 +6,7 @@
 #include <limits>
 #include <sstream>
 
-#include "files.h"
+#include "../files.h"
 #include "vtu_reader.h"
 
 using namespace asperity;

@@ -1,5 +1,5 @@
-#ifndef tests_postprocess_files_h
-#define tests_postprocess_files_h
+#ifndef tests_files_h
+#define tests_files_h
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-#ifndef asperity_postprocess_atomic_file_h
-#define asperity_postprocess_atomic_file_h
+#ifndef asperity_base_atomic_file_h
+#define asperity_base_atomic_file_h
 
 #include <functional>
 #include <iosfwd>
