@@ -1,0 +1,47 @@
+#include <asperity/surrogate/random_numbers.h>
+
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace asperity
+{
+  RandomNumbers::RandomNumbers(const std::uint64_t seed)
+    : generator(seed)
+  {}
+
+
+
+  double
+  RandomNumbers::uniform()
+  {
+    return static_cast<double>(generator() >> 11) * 0x1p-53;
+  }
+
+
+
+  std::size_t
+  RandomNumbers::below(const std::size_t n)
+  {
+    // The remainder of a division prefers small numbers unless the range of the
+    // generator is cut to a multiple of n.
+    const std::uint64_t largest = std::numeric_limits<std::uint64_t>::max();
+    const std::uint64_t limit   = largest - largest % n;
+    std::uint64_t       number  = generator();
+    while (number >= limit)
+      number = generator();
+    return static_cast<std::size_t>(number % n);
+  }
+
+
+
+  std::vector<std::size_t>
+  RandomNumbers::permutation(const std::size_t n)
+  {
+    std::vector<std::size_t> order(n);
+    std::iota(order.begin(), order.end(), 0);
+    for (std::size_t i = n; i > 1; --i)
+      std::swap(order[i - 1], order[below(i)]);
+    return order;
+  }
+} // namespace asperity
