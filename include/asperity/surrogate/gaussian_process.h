@@ -2,6 +2,7 @@
 #define asperity_surrogate_gaussian_process_h
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace asperity
@@ -14,6 +15,10 @@ namespace asperity
     matern_3_2, ///< f = (1 + sqrt(3) r) exp(-sqrt(3) r)
     matern_5_2  ///< f = (1 + sqrt(5) r + 5/3 r^2) exp(-sqrt(5) r)
   };
+
+  /** "rbf", "matern_3_2" or "matern_5_2", as in the model file. */
+  std::string
+  to_string(const KernelKind kernel);
 
   struct Hyperparameters
   {
@@ -37,7 +42,8 @@ namespace asperity
   /**
    * Exact Gaussian process regression with zero prior mean (Rasmussen and
    * Williams 2006, algorithm 2.1): K = k(X, X) + noise, L L^T = K,
-   * alpha = K^-1 y. Immutable, so that threads may share it.
+   * alpha = K^-1 y. Immutable, so that threads may share it. A
+   * coordinate that is NaN makes the answer NaN.
    */
   class GaussianProcess
   {
@@ -64,6 +70,12 @@ namespace asperity
     /** Variance of the latent function, without noise; not negative. */
     double
     variance(const double *x) const;
+
+    /** Mean, variance and gradient of the mean at once, for little more than
+     *  the price of the variance. @param gradient d numbers, or nullptr
+     *  @return the mean */
+    double
+    evaluate(const double *x, double *variance, double *gradient) const;
 
     /** log p(y | X) = -y^T alpha / 2 - sum log L_ii - n/2 log(2 pi). */
     double
@@ -99,12 +111,27 @@ namespace asperity
     alpha() const;
 
   private:
+    /** scaled_i = x_i / l_i @return whether there is no NaN among them */
+    bool
+    scale(const double *x, double *scaled) const;
+
+    void
+    gradient_from_distances(const double *scaled,
+                            double       *r2,
+                            double       *gradient) const;
+
     KernelKind          kernel_;
     Hyperparameters     hyperparameters_;
     TrainingData        data_;
     std::vector<double> alpha_;
-    std::vector<double> factor; ///< L
-    double              jitter_ = 0.;
+    std::vector<double> coordinates; ///< x / l, one row an input
+
+    /** The lower triangle of L^-1 row by row: |L^-1 k|^2 then reads n^2/2
+     *  numbers once, in order, and without the dependence of one row on all
+     *  before it that a triangular solve has. */
+    std::vector<double> inverse_factor;
+    double              log_likelihood_ = 0.;
+    double              jitter_         = 0.;
   };
 } // namespace asperity
 

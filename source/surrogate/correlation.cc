@@ -1,0 +1,163 @@
+#include "correlation.h"
+
+#include <algorithm>
+#include <cmath>
+
+// One version of each loop for every width of vector registers, chosen when the
+// program is loaded. Sanitizers start too late for that choice.
+#if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && \
+  !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+#  define ASPERITY_ALL_VECTOR_WIDTHS \
+    __attribute__((target_clones("avx512f", "avx2", "default")))
+#else
+#  define ASPERITY_ALL_VECTOR_WIDTHS
+#endif
+
+namespace asperity
+{
+  namespace correlation
+  {
+    /** Where exp(-a) is zero for all purposes, before vectorised versions of
+     *  exp fall back to slow ones and before infinities can come up. */
+    constexpr double largest_exponent = 700.;
+
+    ASPERITY_ALL_VECTOR_WIDTHS
+    void
+    squared_distances(const std::size_t n,
+                      const std::size_t n_inputs,
+                      const double     *points,
+                      const std::size_t stride,
+                      const double     *x,
+                      double           *r2)
+    {
+      for (std::size_t j = 0; j < n; ++j)
+        r2[j] = 0.;
+      for (std::size_t i = 0; i < n_inputs; ++i)
+        {
+          const double *const p  = points + i * stride;
+          const double        xi = x[i];
+          for (std::size_t j = 0; j < n; ++j)
+            r2[j] += (p[j] - xi) * (p[j] - xi);
+        }
+    }
+
+
+
+    ASPERITY_ALL_VECTOR_WIDTHS
+    void
+    values(const KernelKind  kernel,
+           const double      variance,
+           const std::size_t n,
+           const double     *r2,
+           double           *values)
+    {
+      if (kernel == KernelKind::rbf)
+        for (std::size_t j = 0; j < n; ++j)
+          values[j] =
+            variance * std::exp(-std::min(0.5 * r2[j], largest_exponent));
+      else if (kernel == KernelKind::matern_3_2)
+        for (std::size_t j = 0; j < n; ++j)
+          {
+            const double a = std::min(std::sqrt(3. * r2[j]), largest_exponent);
+            values[j]      = variance * (1. + a) * std::exp(-a);
+          }
+      else
+        for (std::size_t j = 0; j < n; ++j)
+          {
+            const double a = std::min(std::sqrt(5. * r2[j]), largest_exponent);
+            values[j]      = variance * (1. + a + a * a / 3.) * std::exp(-a);
+          }
+    }
+
+
+
+    ASPERITY_ALL_VECTOR_WIDTHS
+    void
+    slopes(const KernelKind  kernel,
+           const double      variance,
+           const std::size_t n,
+           const double     *r2,
+           double           *slopes)
+    {
+      if (kernel == KernelKind::rbf)
+        for (std::size_t j = 0; j < n; ++j)
+          slopes[j] =
+            variance * std::exp(-std::min(0.5 * r2[j], largest_exponent));
+      else if (kernel == KernelKind::matern_3_2)
+        for (std::size_t j = 0; j < n; ++j)
+          {
+            const double a = std::min(std::sqrt(3. * r2[j]), largest_exponent);
+            slopes[j]      = 3. * variance * std::exp(-a);
+          }
+      else
+        for (std::size_t j = 0; j < n; ++j)
+          {
+            const double a = std::min(std::sqrt(5. * r2[j]), largest_exponent);
+            slopes[j]      = 5. / 3. * variance * (1. + a) * std::exp(-a);
+          }
+    }
+
+
+
+    ASPERITY_ALL_VECTOR_WIDTHS
+    double
+    dot(const std::size_t n, const double *a, const double *b)
+    {
+      double sum = 0.;
+      for (std::size_t j = 0; j < n; ++j)
+        sum += a[j] * b[j];
+      return sum;
+    }
+
+
+
+    ASPERITY_ALL_VECTOR_WIDTHS
+    double
+    second_moment(const std::size_t n,
+                  const double     *weights,
+                  const double     *points,
+                  const double      x)
+    {
+      double sum = 0.;
+      for (std::size_t j = 0; j < n; ++j)
+        sum += weights[j] * (points[j] - x) * (points[j] - x);
+      return sum;
+    }
+
+
+
+    ASPERITY_ALL_VECTOR_WIDTHS
+    double
+    first_moment(const std::size_t n,
+                 const double     *a,
+                 const double     *b,
+                 const double     *points,
+                 const double      x)
+    {
+      double sum = 0.;
+      for (std::size_t j = 0; j < n; ++j)
+        sum += a[j] * b[j] * (points[j] - x);
+      return sum;
+    }
+
+
+
+    ASPERITY_ALL_VECTOR_WIDTHS
+    double
+    triangular_norm_square(const std::size_t n,
+                           const double     *a,
+                           const double     *b)
+    {
+      double sum = 0.;
+      for (std::size_t i = 0; i < n; ++i)
+        {
+          double product = 0.;
+          for (std::size_t j = 0; j <= i; ++j)
+            product += a[j] * b[j];
+          sum += product * product;
+          a += i + 1;
+        }
+      return sum;
+    }
+  } // namespace correlation
+} // namespace asperity
