@@ -18,6 +18,10 @@ namespace asperity
     logarithmic
   };
 
+  /** "linear" or "logarithmic", as in the model file. */
+  std::string
+  to_string(const Scale scale);
+
   /**
    * An input of a law, with the box of its training data. The process sees
    * z = (g(x) - g(lower)) / (g(upper) - g(lower)), g = identity or logarithm.
@@ -81,8 +85,20 @@ namespace asperity
      */
     double leave_one_out_error = 0.;
 
-    ShearLimit             shear_limit;
+    ShearLimit shear_limit;
+    /** What training has to say about the data and the hyperparameters, one
+     *  sentence each; set by training. */
+    std::vector<std::string> warnings;
+
     nlohmann::ordered_json provenance; ///< versions, files, date, design
+  };
+
+  /** What a law was trained on; SI. */
+  struct LawData
+  {
+    std::vector<double> x;               ///< n x d
+    std::vector<double> y;               ///< n
+    std::vector<double> known_deviation; ///< n, or empty
   };
 
   /**
@@ -100,7 +116,7 @@ namespace asperity
      * @param x n x d inputs in SI @param y n values
      * @param known_deviation standard deviation of each value, or empty
      * @throws InputError if values are not positive on a logarithmic scale, not
-     *   finite, or fewer than d + 2
+     *   finite, or fewer than d + 2, or if a point lies outside of the box
      */
     static FrictionLaw
     train(const FrictionLawDescription &description,
@@ -125,6 +141,9 @@ namespace asperity
 
     const FrictionLawDescription &
     description() const;
+
+    const LawData &
+    data() const;
 
     const GaussianProcess &
     process() const;
@@ -152,11 +171,28 @@ namespace asperity
     save(const std::string &path) const;
 
   private:
-    FrictionLaw() = default;
+    /** Checks everything but the numbers that training finds. */
+    FrictionLaw(const FrictionLawDescription &description,
+                const LawData                &data,
+                const std::string            &origin);
+
+    /** The training data as the process sees them. */
+    TrainingData
+    scaled_data() const;
+
+    /** z of one input. */
+    double
+    scaled(const double x, const std::size_t input) const;
+
+    /** The output that belongs to a value of the process. */
+    double
+    unscaled(const double value) const;
 
     FrictionLawDescription                 description_;
+    LawData                                data_;
     std::shared_ptr<const GaussianProcess> process_;
     double                                 offset_ = 0., factor_ = 1.;
+    std::vector<double>                    start, extent; ///< of g(x)
   };
 } // namespace asperity
 

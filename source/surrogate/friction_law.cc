@@ -1,0 +1,321 @@
+#include <asperity/base/errors.h>
+#include <asperity/base/quantity.h>
+#include <asperity/surrogate/friction_law.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity
+{
+  namespace
+  {
+    /** Of the range: what a conversion of units may cost a point on the edge.
+     */
+    constexpr double edge_tolerance = 1e-9;
+
+    double
+    transform(const Scale scale, const double x)
+    {
+      return scale == Scale::logarithmic ? std::log(x) : x;
+    }
+
+    std::string
+    in_quotes(const std::string &text)
+    {
+      return "'" + text + "'";
+    }
+
+    void
+    check_input(const LawInput &input, const std::string &origin)
+    {
+      if (input.name.empty() || input.symbol.empty())
+        throw InputError(origin + ": An input of the law has no name or no "
+                                  "symbol; each needs both.");
+      if (!(std::isfinite(input.lower) && std::isfinite(input.upper) &&
+            input.lower < input.upper))
+        throw InputError(origin + ": The input " + in_quotes(input.name) +
+                         " ranges from " + format_number(input.lower) + " to " +
+                         format_number(input.upper) +
+                         "; a finite range that increases is expected.");
+      if (input.scale == Scale::logarithmic && input.lower <= 0.)
+        throw InputError(origin + ": The input " + in_quotes(input.name) +
+                         " has a logarithmic scale and starts at " +
+                         format_number(input.lower) +
+                         "; a positive lower end is expected.");
+    }
+
+    void
+    check_values(const FrictionLawDescription &description,
+                 const LawData                &data,
+                 const std::string            &origin)
+    {
+      const std::string number = ": Value number ";
+      for (std::size_t j = 0; j < data.y.size(); ++j)
+        {
+          if (!std::isfinite(data.y[j]))
+            throw InputError(origin + number + std::to_string(j + 1) + " of " +
+                             in_quotes(description.output) + " is not finite.");
+          if (description.output_scale == Scale::logarithmic && data.y[j] <= 0.)
+            throw InputError(origin + number + std::to_string(j + 1) + " of " +
+                             in_quotes(description.output) + " is " +
+                             format_number(data.y[j]) +
+                             "; on a logarithmic scale all must be positive.");
+          if (!data.known_deviation.empty() &&
+              !(std::isfinite(data.known_deviation[j]) &&
+                data.known_deviation[j] >= 0.))
+            throw InputError(origin + ": The known deviation of value number " +
+                             std::to_string(j + 1) + " of " +
+                             in_quotes(description.output) +
+                             " is negative or not finite.");
+        }
+    }
+
+    void
+    check_points(const FrictionLawDescription &description,
+                 const LawData                &data,
+                 const std::string            &origin)
+    {
+      const std::size_t d = description.inputs.size();
+      for (std::size_t j = 0; j < data.y.size(); ++j)
+        for (std::size_t i = 0; i < d; ++i)
+          {
+            const LawInput &input = description.inputs[i];
+            const double    x     = data.x[j * d + i],
+                         margin = edge_tolerance * (input.upper - input.lower);
+            if (!(x >= input.lower - margin && x <= input.upper + margin))
+              throw InputError(origin + ": The input " + in_quotes(input.name) +
+                               " of point number " + std::to_string(j + 1) +
+                               " is " + format_number(x) + "; its range is " +
+                               format_number(input.lower) + " to " +
+                               format_number(input.upper) + " (SI units).");
+          }
+    }
+  } // namespace
+
+
+
+  std::string
+  to_string(const Scale scale)
+  {
+    return scale == Scale::linear ? "linear" : "logarithmic";
+  }
+
+
+
+  double
+  ShearLimit::operator()(const double temperature) const
+  {
+    if (temperature <= transition_temperature)
+      return k_0;
+    if (temperature >= melting_temperature)
+      return 0.;
+    return k_0 *
+           (1. - std::pow((temperature - transition_temperature) /
+                            (melting_temperature - transition_temperature),
+                          exponent));
+  }
+
+
+
+  FrictionLaw::FrictionLaw(const FrictionLawDescription &description,
+                           const LawData                &data,
+                           const std::string            &origin)
+    : description_(description)
+    , data_(data)
+  {
+    const std::size_t d = description.inputs.size(), n = data.y.size();
+    if (d == 0)
+      throw InputError(origin + ": The law has no input; at least one is "
+                                "expected.");
+    for (const LawInput &input : description.inputs)
+      check_input(input, origin);
+    if (data.x.size() != n * d ||
+        (!data.known_deviation.empty() && data.known_deviation.size() != n))
+      throw InputError(
+        origin + ": The training data have " + std::to_string(n) + " values, " +
+        std::to_string(data.x.size()) + " coordinates and " +
+        std::to_string(data.known_deviation.size()) +
+        " known deviations; for each value " + std::to_string(d) +
+        " coordinates, and one known deviation or none, are expected.");
+    if (n < d + 2)
+      throw InputError(origin + ": There are " + std::to_string(n) +
+                       " training points; at least " + std::to_string(d + 2) +
+                       " are expected for " + std::to_string(d) + " inputs.");
+    check_values(description, data, origin);
+    check_points(description, data, origin);
+
+    for (const LawInput &input : description.inputs)
+      {
+        start.push_back(transform(input.scale, input.lower));
+        extent.push_back(transform(input.scale, input.upper) - start.back());
+      }
+  }
+
+
+
+  double
+  FrictionLaw::scaled(const double x, const std::size_t input) const
+  {
+    const LawInput &in = description_.inputs[input];
+    const double    inside =
+      in.scale == Scale::logarithmic && x <= 0. ? in.lower : x;
+    return (transform(in.scale, inside) - start[input]) / extent[input];
+  }
+
+
+
+  TrainingData
+  FrictionLaw::scaled_data() const
+  {
+    const std::size_t d = description_.inputs.size(), n = data_.y.size();
+    TrainingData      result;
+    result.n_inputs = d;
+    result.x.resize(n * d);
+    result.y.resize(n);
+    for (std::size_t j = 0; j < n; ++j)
+      {
+        for (std::size_t i = 0; i < d; ++i)
+          result.x[j * d + i] = scaled(data_.x[j * d + i], i);
+        const double y = data_.y[j];
+        result.y[j] =
+          (transform(description_.output_scale, y) - offset_) / factor_;
+        if (!data_.known_deviation.empty())
+          {
+            const double slope =
+              description_.output_scale == Scale::logarithmic ? 1. / y : 1.;
+            const double deviation = data_.known_deviation[j] * slope / factor_;
+            result.known_variance.push_back(deviation * deviation);
+          }
+      }
+    return result;
+  }
+
+
+
+  double
+  FrictionLaw::unscaled(const double value) const
+  {
+    const double g = offset_ + factor_ * value;
+    return description_.output_scale == Scale::logarithmic ? std::exp(g) : g;
+  }
+
+
+
+  LawPrediction
+  FrictionLaw::predict(const double *x) const
+  {
+    const std::size_t   d = description_.inputs.size();
+    std::vector<double> z(d);
+    for (std::size_t i = 0; i < d; ++i)
+      z[i] = scaled(x[i], i);
+
+    LawPrediction result;
+    result.gradient.resize(d);
+    double       variance;
+    const double value =
+      process_->evaluate(z.data(), &variance, result.gradient.data());
+    const double s            = factor_ * std::sqrt(variance);
+    const bool is_logarithmic = description_.output_scale == Scale::logarithmic;
+    result.mean               = unscaled(value);
+    result.deviation          = is_logarithmic ? result.mean * s : s;
+    result.lower = is_logarithmic ? result.mean * std::exp(-1.96 * s) :
+                                    result.mean - 1.96 * s;
+    result.upper = is_logarithmic ? result.mean * std::exp(1.96 * s) :
+                                    result.mean + 1.96 * s;
+
+    // d mean / d value, times d value / d z, times d z / d x
+    const double slope = is_logarithmic ? factor_ * result.mean : factor_;
+    for (std::size_t i = 0; i < d; ++i)
+      {
+        double dz_dx = 1. / extent[i];
+        if (description_.inputs[i].scale == Scale::logarithmic)
+          dz_dx = x[i] > 0. ? dz_dx / x[i] : 0.;
+        result.gradient[i] *= slope * dz_dx;
+      }
+    result.trusted = is_inside(x) && result.deviation <=
+                                       description_.largest_trusted_deviation *
+                                         std::abs(result.mean);
+    return result;
+  }
+
+
+
+  double
+  FrictionLaw::mean(const double *x) const
+  {
+    double result;
+    means(1, x, &result);
+    return result;
+  }
+
+
+
+  void
+  FrictionLaw::means(const std::size_t n, const double *x, double *result) const
+  {
+    const std::size_t   d = description_.inputs.size();
+    std::vector<double> z(n * d);
+    for (std::size_t j = 0; j < n; ++j)
+      for (std::size_t i = 0; i < d; ++i)
+        z[j * d + i] = scaled(x[j * d + i], i);
+    process_->means(n, z.data(), result);
+    for (std::size_t j = 0; j < n; ++j)
+      result[j] = unscaled(result[j]);
+  }
+
+
+
+  bool
+  FrictionLaw::is_inside(const double *x) const
+  {
+    bool inside = true;
+    for (std::size_t i = 0; i < description_.inputs.size(); ++i)
+      {
+        const LawInput &input  = description_.inputs[i];
+        const double    margin = edge_tolerance * (input.upper - input.lower);
+        inside                 = inside && x[i] >= input.lower - margin &&
+                 x[i] <= input.upper + margin;
+      }
+    return inside;
+  }
+
+
+
+  const FrictionLawDescription &
+  FrictionLaw::description() const
+  {
+    return description_;
+  }
+
+
+
+  const LawData &
+  FrictionLaw::data() const
+  {
+    return data_;
+  }
+
+
+
+  const GaussianProcess &
+  FrictionLaw::process() const
+  {
+    return *process_;
+  }
+
+
+
+  double
+  FrictionLaw::offset() const
+  {
+    return offset_;
+  }
+
+
+
+  double
+  FrictionLaw::factor() const
+  {
+    return factor_;
+  }
+} // namespace asperity
