@@ -19,19 +19,13 @@ namespace asperity
     const std::string input_start = "# input: ";
 
     std::string
-    name_of(const Scale scale)
-    {
-      return scale == Scale::logarithmic ? "logarithmic" : "linear";
-    }
-
-    std::string
-    name_of(const SampleRole role)
+    to_string(const SampleRole role)
     {
       return role == SampleRole::test ? "test" : "training";
     }
 
     std::string
-    name_of(const SampleStatus status)
+    to_string(const SampleStatus status)
     {
       return status == SampleStatus::done ? "done" : "failed";
     }
@@ -52,8 +46,8 @@ namespace asperity
     row_of(const Sample &sample, const std::size_t n_outputs)
     {
       const bool  done = sample.status == SampleStatus::done;
-      std::string row = std::to_string(sample.id) + "," + name_of(sample.role) +
-                        "," + name_of(sample.status);
+      std::string row  = std::to_string(sample.id) + "," +
+                        to_string(sample.role) + "," + to_string(sample.status);
       for (const double value : sample.x)
         row += "," + shortest_decimal(value);
       for (std::size_t i = 0; i < n_outputs; ++i)
@@ -115,12 +109,12 @@ namespace asperity
              const Kind         first,
              const Kind         second) const
       {
-        if (field == name_of(first))
+        if (field == to_string(first))
           return first;
-        if (field == name_of(second))
+        if (field == to_string(second))
           return second;
-        fail("'" + field + "' was found, but '" + name_of(first) + "' or '" +
-             name_of(second) + "' is expected");
+        fail("'" + field + "' was found, but '" + to_string(first) + "' or '" +
+             to_string(second) + "' is expected");
       }
 
       LawInput
@@ -292,7 +286,7 @@ namespace asperity
     for (const LawInput &input : inputs_)
       out << input_start << input.symbol << "; " << input.name << "; "
           << input.unit << "; " << shortest_decimal(input.lower) << "; "
-          << shortest_decimal(input.upper) << "; " << name_of(input.scale)
+          << shortest_decimal(input.upper) << "; " << to_string(input.scale)
           << '\n';
     out << join(SampleFormat::headings(*this), ",") << '\n';
     for (const Sample *sample : SampleFormat::in_order(samples_))
