@@ -1,11 +1,8 @@
 #include "covariance_matrix.h"
 
-#include <asperity/base/errors.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 
 #include "correlation.h"
 #include "lapack.h"
@@ -26,33 +23,35 @@ namespace asperity
 
 
 
-  CovarianceMatrix::CovarianceMatrix(const KernelKind       kernel,
-                                     const Hyperparameters &hyperparameters,
-                                     const TrainingData    &data)
+  CovarianceMatrix::CovarianceMatrix(const KernelKind    kernel,
+                                     const TrainingData &data)
     : kernel(kernel)
-    , hyperparameters(hyperparameters)
     , data(data)
     , n(data.y.size())
-    , coordinates(scaled_coordinates(data, hyperparameters.length_scales))
+    , factor(n * n)
+  {}
+
+
+
+  bool
+  CovarianceMatrix::factorize(const Hyperparameters &new_hyperparameters)
   {
+    hyperparameters = new_hyperparameters;
+    coordinates     = scaled_coordinates(data, hyperparameters.length_scales);
     // Rounding in K is a few parts of 1e-16 of its diagonal: the first jitter
     // is just above it, the last one a visible change of the model.
-    const double diagonal = hyperparameters.signal_variance;
-    const bool   finite   = std::isfinite(diagonal);
-    bool         success  = finite && factorize(0.);
-    for (double share = 1e-14; finite && !success && share < 2e-4; share *= 10.)
-      success = factorize(share * diagonal);
+    bool success = factorize_with(0.);
+    for (double share = 1e-14; !success && share < 2e-4; share *= 10.)
+      success = factorize_with(share * hyperparameters.signal_variance);
     if (!success)
-      throw ComputationError(
-        "The covariance matrix of the " + std::to_string(n) +
-        " training points is not positive definite, even with 1e-4 of the "
-        "signal variance added to its diagonal.");
+      return false;
 
     alpha_        = data.y;
     const int n_  = static_cast<int>(n);
     const int one = 1;
     int       info;
     dpotrs_("L", &n_, &one, factor.data(), &n_, alpha_.data(), &n_, &info);
+    return true;
   }
 
 
@@ -67,15 +66,14 @@ namespace asperity
 
 
   void
-  CovarianceMatrix::fill(std::vector<double> &matrix) const
+  CovarianceMatrix::fill()
   {
-    matrix.resize(n * n);
     std::vector<double> x(data.n_inputs);
     for (std::size_t j = 0; j < n; ++j)
       {
         for (std::size_t i = 0; i < data.n_inputs; ++i)
           x[i] = coordinates[i * n + j];
-        double *const column = matrix.data() + j * n + j;
+        double *const column = factor.data() + j * n + j;
         correlation::squared_distances(
           n - j, data.n_inputs, coordinates.data() + j, n, x.data(), column);
         correlation::values(
@@ -87,10 +85,10 @@ namespace asperity
 
 
   bool
-  CovarianceMatrix::factorize(const double jitter)
+  CovarianceMatrix::factorize_with(const double jitter)
   {
     jitter_ = jitter;
-    fill(factor);
+    fill();
     double largest = 0.;
     for (std::size_t j = 0; j < n; ++j)
       largest = std::max(largest, factor[j * n + j]);
@@ -139,11 +137,11 @@ namespace asperity
 
 
   std::vector<double>
-  CovarianceMatrix::log_likelihood_gradient() const
+  CovarianceMatrix::log_likelihood_gradient()
   {
-    std::vector<double> inverse = factor;
-    const int           n_      = static_cast<int>(n);
-    int                 info;
+    inverse      = factor;
+    const int n_ = static_cast<int>(n);
+    int       info;
     dpotri_("L", &n_, inverse.data(), &n_, &info);
 
     // tr(W K) = y^T alpha - n, and K less its noise is the signal's derivative.
@@ -156,7 +154,7 @@ namespace asperity
         signal += 0.5 * (data.y[j] * alpha_[j] - w * this->noise(j));
         noise += 0.5 * w * hyperparameters.noise_variance;
       }
-    add_length_scale_derivatives(inverse, gradient);
+    add_length_scale_derivatives(gradient);
     return gradient;
   }
 
@@ -164,8 +162,7 @@ namespace asperity
 
   void
   CovarianceMatrix::add_length_scale_derivatives(
-    const std::vector<double> &inverse,
-    std::vector<double>       &gradient) const
+    std::vector<double> &gradient) const
   {
     std::vector<double> x(data.n_inputs), r2(n), slopes(n);
     for (std::size_t j = 0; j + 1 < n; ++j)
@@ -197,11 +194,11 @@ namespace asperity
 
 
   std::vector<double>
-  CovarianceMatrix::packed_inverse_factor() const
+  CovarianceMatrix::packed_inverse_factor()
   {
-    std::vector<double> inverse = factor;
-    const int           n_      = static_cast<int>(n);
-    int                 info;
+    inverse      = factor;
+    const int n_ = static_cast<int>(n);
+    int       info;
     dtrtri_("L", "N", &n_, inverse.data(), &n_, &info);
 
     std::vector<double> packed(n * (n + 1) / 2);

@@ -17,18 +17,22 @@ namespace asperity
 
   /**
    * K = k(X, X) + noise of training points, factorised: what a Gaussian process
-   * is made of, and what the search for hyperparameters makes many times.
+   * is made of, and what the search for hyperparameters makes many times in the
+   * same memory.
    */
   class CovarianceMatrix
   {
   public:
+    /** @param data must live as long as this object */
+    CovarianceMatrix(const KernelKind kernel, const TrainingData &data);
+
     /**
-     * @param data must live as long as this object
-     * @throws ComputationError as GaussianProcess::GaussianProcess
+     * K = L L^T, with as little jitter on the diagonal as that takes, and
+     * alpha. Everything below is about the last matrix that was factorised.
+     * @return whether K is positive definite with the largest jitter
      */
-    CovarianceMatrix(const KernelKind       kernel,
-                     const Hyperparameters &hyperparameters,
-                     const TrainingData    &data);
+    bool
+    factorize(const Hyperparameters &hyperparameters);
 
     double
     jitter() const;
@@ -42,18 +46,18 @@ namespace asperity
 
     /** In the order of GaussianProcess::log_likelihood_gradient(). */
     std::vector<double>
-    log_likelihood_gradient() const;
+    log_likelihood_gradient();
 
     /** L^-1, the lower triangle row by row. */
     std::vector<double>
-    packed_inverse_factor() const;
+    packed_inverse_factor();
 
   private:
     void
-    fill(std::vector<double> &matrix) const;
+    fill();
 
     bool
-    factorize(const double jitter);
+    factorize_with(const double jitter);
 
     double
     noise(const std::size_t point) const;
@@ -61,17 +65,19 @@ namespace asperity
     /** Adds the derivatives with respect to log l_i, W = alpha alpha^T - K^-1:
      *  tr(W dK/dlog l_i) / 2, a pair of points at a time. */
     void
-    add_length_scale_derivatives(const std::vector<double> &inverse,
-                                 std::vector<double>       &gradient) const;
+    add_length_scale_derivatives(std::vector<double> &gradient) const;
 
-    const KernelKind      kernel;
-    const Hyperparameters hyperparameters;
-    const TrainingData   &data;
-    std::size_t           n;
-    std::vector<double>   coordinates; ///< of scaled_coordinates()
-    std::vector<double>   factor;      ///< L in the lower triangle, by columns
-    std::vector<double>   alpha_;
-    double                jitter_ = 0.;
+    const KernelKind    kernel;
+    const TrainingData &data;
+    const std::size_t   n;
+    Hyperparameters     hyperparameters;
+    std::vector<double> coordinates; ///< of scaled_coordinates()
+    std::vector<double> alpha_;
+    double              jitter_ = 0.;
+
+    /** L, and K^-1 or L^-1 when they are asked for: lower triangles by columns;
+     *  the upper ones hold nothing. */
+    std::vector<double> factor, inverse;
   };
 } // namespace asperity
 

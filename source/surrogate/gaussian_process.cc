@@ -87,7 +87,12 @@ namespace asperity
     , data_(data)
   {
     require_consistent(hyperparameters, data);
-    const CovarianceMatrix covariance(kernel, hyperparameters, data);
+    CovarianceMatrix covariance(kernel, data);
+    if (!covariance.factorize(hyperparameters))
+      throw ComputationError(
+        "The covariance matrix of the " + std::to_string(data.y.size()) +
+        " training points is not positive definite, even with 1e-4 of the "
+        "signal variance added to its diagonal.");
     alpha_          = covariance.alpha();
     jitter_         = covariance.jitter();
     inverse_factor  = covariance.packed_inverse_factor();
@@ -238,8 +243,9 @@ namespace asperity
   std::vector<double>
   GaussianProcess::log_likelihood_gradient() const
   {
-    return CovarianceMatrix(kernel_, hyperparameters_, data_)
-      .log_likelihood_gradient();
+    CovarianceMatrix covariance(kernel_, data_);
+    covariance.factorize(hyperparameters_);
+    return covariance.log_likelihood_gradient();
   }
 
 

@@ -1,7 +1,5 @@
 #include "likelihood_maximizer.h"
 
-#include <asperity/base/errors.h>
-
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_multimin.h>
 
@@ -22,9 +20,9 @@ namespace asperity
       Objective(const KernelKind                kernel,
                 const TrainingData             &data,
                 const std::vector<SmoothClamp> &clamps)
-        : kernel(kernel)
-        , data(data)
+        : data(data)
         , clamps(clamps)
+        , covariance(kernel, data)
         , point(clamps.size(), std::numeric_limits<double>::quiet_NaN())
       {}
 
@@ -32,8 +30,8 @@ namespace asperity
       value(const gsl_vector *u)
       {
         move_to(u);
-        return covariance ? -covariance->log_likelihood() * scale() :
-                            GSL_POSINF;
+        return is_factorized ? -covariance.log_likelihood() * scale() :
+                               GSL_POSINF;
       }
 
       void
@@ -41,10 +39,9 @@ namespace asperity
       {
         move_to(u);
         gsl_vector_set_zero(result);
-        if (!covariance)
+        if (!is_factorized)
           return;
-        const std::vector<double> values =
-          covariance->log_likelihood_gradient();
+        const std::vector<double> values = covariance.log_likelihood_gradient();
         for (std::size_t i = 0; i < clamps.size(); ++i)
           gsl_vector_set(result,
                          i,
@@ -75,23 +72,15 @@ namespace asperity
             logarithms[i] = clamps[i].value(point[i]);
           }
         ++n_evaluations;
-        covariance.reset();
-        try
-          {
-            covariance =
-              std::make_unique<CovarianceMatrix>(kernel,
-                                                 hyperparameters_of(logarithms),
-                                                 data);
-          }
-        catch (const ComputationError &)
-          {} // as bad as can be, the line search turns back
+        // otherwise as bad as can be: the line search turns back
+        is_factorized = covariance.factorize(hyperparameters_of(logarithms));
       }
 
-      const KernelKind                  kernel;
-      const TrainingData               &data;
-      const std::vector<SmoothClamp>   &clamps;
-      std::vector<double>               point;
-      std::unique_ptr<CovarianceMatrix> covariance;
+      const TrainingData             &data;
+      const std::vector<SmoothClamp> &clamps;
+      CovarianceMatrix                covariance;
+      std::vector<double>             point;
+      bool                            is_factorized = false;
     };
 
     double
@@ -184,16 +173,16 @@ namespace asperity
     gsl_multimin_function_fdf function{
       gsl_value, gsl_gradient, gsl_both, start.size(), &objective};
     gsl_multimin_fdfminimizer_set(
-      minimizer.get(), &function, u.get(), 0.5, 0.1);
+      minimizer.get(), &function, u.get(), 0.5, 0.3);
 
-    // A step that gains less than 1e-6 in the log likelihood is the last one: a
-    // thousand of them would change nothing that anybody could see.
+    // A step that gains less than 1e-4 in the log likelihood is the last one:
+    // hyperparameters within one of the maximum are about as likely.
     const double n    = static_cast<double>(data.y.size());
     double       last = minimizer->f;
     for (unsigned int i = 0; i < max_iterations; ++i)
       {
         if (gsl_multimin_fdfminimizer_iterate(minimizer.get()) != GSL_SUCCESS ||
-            n * (last - minimizer->f) < 1e-6)
+            n * (last - minimizer->f) < 1e-4)
           break;
         last = minimizer->f;
       }
