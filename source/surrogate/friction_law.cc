@@ -214,14 +214,22 @@ namespace asperity
     double       variance;
     const double value =
       process_->evaluate(z.data(), &variance, result.gradient.data());
-    const double s            = factor_ * std::sqrt(variance);
     const bool is_logarithmic = description_.output_scale == Scale::logarithmic;
+    const double of_function  = factor_ * std::sqrt(variance);
+    const double noise        = process_->hyperparameters().noise_variance;
+    const double of_run       = factor_ * std::sqrt(variance + noise);
     result.mean               = unscaled(value);
-    result.deviation          = is_logarithmic ? result.mean * s : s;
-    result.lower = is_logarithmic ? result.mean * std::exp(-1.96 * s) :
-                                    result.mean - 1.96 * s;
-    result.upper = is_logarithmic ? result.mean * std::exp(1.96 * s) :
-                                    result.mean + 1.96 * s;
+    result.deviation = is_logarithmic ? result.mean * of_function : of_function;
+    if (is_logarithmic)
+      {
+        result.lower = result.mean * std::exp(-1.96 * of_run);
+        result.upper = result.mean * std::exp(1.96 * of_run);
+      }
+    else
+      {
+        result.lower = result.mean - 1.96 * of_run;
+        result.upper = result.mean + 1.96 * of_run;
+      }
 
     // d mean / d value, times d value / d z, times d z / d x
     const double slope = is_logarithmic ? factor_ * result.mean : factor_;

@@ -111,8 +111,10 @@ TEST(FrictionLaw, prediction_is_that_of_the_process_behind_its_scales)
   const LawPrediction found = law.predict(x.data());
   EXPECT_NEAR(found.mean, std::exp(m), 1e-11);
   EXPECT_NEAR(found.deviation, std::exp(m) * s, 1e-10);
-  EXPECT_NEAR(found.lower, std::exp(m - 1.96 * s), 1e-10);
-  EXPECT_NEAR(found.upper, std::exp(m + 1.96 * s), 1e-10);
+  const double noise  = law.process().hyperparameters().noise_variance;
+  const double of_run = std::sqrt(s * s + law.factor() * law.factor() * noise);
+  EXPECT_NEAR(found.lower, std::exp(m - 1.96 * of_run), 1e-10);
+  EXPECT_NEAR(found.upper, std::exp(m + 1.96 * of_run), 1e-10);
 
   // the values are centred and of unit variance
   double sum = 0., square = 0.;

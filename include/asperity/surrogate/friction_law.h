@@ -60,7 +60,12 @@ namespace asperity
     double              mean      = 0.;
     double              deviation = 0.; ///< standard, of the fitted function
     std::vector<double> gradient;       ///< d mean / d x, one an input
-    double              lower = 0., upper = 0.; ///< 95 % interval
+
+    /** Another run would give a value between them with a probability of 95 %:
+     *  the deviation and the noise of a run (of mesh and time steps, and of
+     * what the process cannot follow), but not the scatter of the topography.
+     */
+    double lower = 0., upper = 0.;
 
     /** Inside the box of the training data, with a deviation of at most
      *  FrictionLaw::largest_trusted_deviation times the mean. */
@@ -105,8 +110,8 @@ namespace asperity
    * mu (or another result) as a function of the scene's inputs: a Gaussian
    * process behind the scales of inputs and output. With a logarithmic output
    * the process is fitted to ln(mu): mean = exp(m), deviation = mean s, and the
-   * interval is exp(m -+ 1.96 s). The values that the process sees are centred
-   * and scaled to unit variance.
+   * interval is exp(m -+ 1.96 sqrt(s^2 + noise variance)). The values that the
+   * process sees are centred and scaled to unit variance.
    */
   class FrictionLaw
   {
