@@ -3,6 +3,7 @@
 #include <asperity/base/parameters.h>
 #include <asperity/base/text.h>
 #include <asperity/base/version.h>
+#include <asperity/campaign/commands.h>
 #include <asperity/contact_zone/commands.h>
 #include <asperity/topography/commands.h>
 
@@ -10,6 +11,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
 
+#include <algorithm>
 #include <functional>
 #include <iostream>
 #include <new>
@@ -60,13 +62,21 @@ namespace
   int
   print_parameters(const Arguments &arguments)
   {
-    const bool markdown = arguments.size() == 2 && arguments[1] == "--markdown";
-    if (arguments.size() > 1 && !markdown)
-      throw InputError("'asperity parameters' takes no argument but "
-                       "'--markdown'.");
+    bool markdown = false, campaign = false;
+    for (std::size_t i = 1; i < arguments.size(); ++i)
+      if (arguments[i] == "--markdown")
+        markdown = true;
+      else if (arguments[i] == "--campaign")
+        campaign = true;
+      else
+        throw InputError("'asperity parameters' takes no argument but "
+                         "'--campaign' and '--markdown'.");
     dealii::ParameterHandler handler;
     ParameterDeclarator      parameters(handler);
-    declare_all_parameters(parameters);
+    if (campaign)
+      declare_campaign_parameters(parameters);
+    else
+      declare_all_parameters(parameters);
     if (!is_first_rank())
       return 0;
     if (markdown)
@@ -86,12 +96,15 @@ namespace
       {"check FILE.prm",
        "validate the input, print audit, models and size; run nothing",
        on_file(check_scene)},
-      {"parameters [--markdown]",
-       "print every parameter with default, unit, range and meaning",
+      {"parameters [--campaign] [--markdown]",
+       "explain every parameter",
        print_parameters},
       {"topography FILE.prm",
        "read, filter, measure and fit a surface",
-       on_file(topography_report)}};
+       on_file(topography_report)},
+      {"characterize FILE.prm",
+       "run or resume a campaign, train the friction law",
+       on_file(characterize)}};
     return table;
   }
 
@@ -104,7 +117,7 @@ namespace
     for (const Command &command : commands())
       {
         std::string line = "  asperity " + command.usage;
-        line.resize(36, ' ');
+        line.resize(std::max<std::size_t>(line.size() + 2, 36), ' ');
         std::cout << line << command.sentence << '\n';
       }
     std::cout << "\n'mpirun -np N' may stand before any of them; --version "

@@ -2,6 +2,8 @@
 #include <asperity/base/progress.h>
 #include <asperity/base/version.h>
 #include <asperity/contact_zone/commands.h>
+#include <asperity/contact_zone/scene_computation.h>
+#include <asperity/contact_zone/scene_input.h>
 #include <asperity/contact_zone/scene_output.h>
 
 #include <deal.II/base/mpi.h>
@@ -20,22 +22,6 @@ namespace asperity
 {
   namespace
   {
-    /** A parameter file, declared, read and checked. */
-    struct SceneInput
-    {
-      explicit SceneInput(const std::string &file)
-        : declarator(handler)
-      {
-        parameters.declare(declarator);
-        declarator.read_file(file);
-        parameters.check(declarator);
-      }
-
-      dealii::ParameterHandler handler;
-      ParameterDeclarator      declarator;
-      SceneParameters          parameters;
-    };
-
     /** What was made of the file of a measured surface. */
     void
     print_treatment(const Surface &surface)
@@ -124,43 +110,6 @@ namespace asperity
                 << parameters.output.directory << "\n";
       for (const std::string &warning : warnings)
         std::cout << "Warning: " << warning << "\n";
-    }
-
-    /** A scene with the models that the parameter file asks for or, where it
-     *  says `automatic`, those of the audit; these go into the parameters. */
-    struct AuditedScene
-    {
-      explicit AuditedScene(SceneParameters &parameters)
-        : scene(std::make_unique<Scene>(parameters))
-        , audit(audit_scene(parameters, *scene))
-      {
-        if (parameters.protocol.inertia == Inertia::automatic)
-          parameters.protocol.inertia = audit.inertia;
-        audit.inertia = parameters.protocol.inertia;
-        if (parameters.lubrication.model == LubricantModel::automatic)
-          {
-            parameters.lubrication.model = audit.lubricant;
-            scene                        = std::make_unique<Scene>(parameters);
-          }
-      }
-
-      std::unique_ptr<Scene> scene;
-      SceneAudit             audit;
-    };
-
-    std::vector<std::string>
-    collect_warnings(const SlidingRun      &run,
-                     const SceneParameters &parameters,
-                     const SceneAudit      &audit)
-    {
-      std::vector<std::string> warnings = audit.warnings;
-      if (parameters.protocol.window == FrictionWindow::steady &&
-          !run.is_steady())
-        warnings.push_back(
-          "mu is not steady after the maximal sliding "
-          "distance of " +
-          format_quantity(parameters.protocol.maximum_distance, "um") + ".");
-      return warnings;
     }
 
     /** Also shows early whether the output directory can be written. */
@@ -254,7 +203,8 @@ namespace asperity
                                " The last good state is in " +
                                parameters.output.directory + "/checkpoint.");
       }
-    const auto warnings = collect_warnings(run, parameters, audit);
+    const auto warnings =
+      warnings_of_run(audit.warnings, run.is_steady(), parameters);
     output.finish(run, audit, warnings, timer.wall_time());
     progress.note("");
     print_result(run, scene.length, parameters, warnings, timer.wall_time());

@@ -12,6 +12,14 @@ namespace asperity
                         Range::positive(),
                         "t_end. With the window `steady` it only sets the "
                         "length of the load ramp.");
+    parameters.quantity("Sliding distance",
+                        sliding_distance,
+                        "um",
+                        Range::positive(),
+                        "Distance that the chip slides until t_end, which is "
+                        "then this distance over the velocity, so that fast "
+                        "and slow runs are compared after the same way; "
+                        "`automatic` takes the end time as it is.");
     parameters.number("Ramp fraction",
                       ramp_fraction,
                       Range::between(0.001, 1.),

@@ -229,6 +229,15 @@ namespace asperity
 
 
   void
+  SceneParameters::resolve()
+  {
+    if (protocol.sliding_distance)
+      protocol.end_time = *protocol.sliding_distance / load.velocity;
+  }
+
+
+
+  void
   SceneParameters::check(const ParameterDeclarator &parameters) const
   {
     tool.check(parameters, "Tool");

@@ -10,7 +10,8 @@ TEST_F(Commands, help_lists_every_command)
   EXPECT_EQ(result.status, 0);
   for (const std::string command : {"asperity run FILE.prm",
                                     "asperity check FILE.prm",
-                                    "asperity parameters [--markdown]",
+                                    "asperity parameters [--campaign]",
+                                    "asperity characterize FILE.prm",
                                     "asperity topography FILE.prm"})
     EXPECT_NE(result.output.find(command), std::string::npos) << command;
 }
@@ -57,6 +58,15 @@ TEST_F(Commands, the_printed_reference_is_the_one_in_the_documentation)
     << "renew it: build/asperity parameters --markdown > doc/parameters.md";
 }
 
+TEST_F(Commands, the_reference_of_campaigns_is_the_one_in_the_documentation)
+{
+  std::ifstream     file(ASPERITY_SOURCE_DIR "/doc/campaign_parameters.md");
+  const std::string documented{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_EQ(run("parameters --campaign --markdown").output, documented)
+    << "renew it: build/asperity parameters --campaign --markdown > "
+       "doc/campaign_parameters.md";
+}
+
 TEST_F(Commands, wrong_command_lines_are_refused)
 {
   const auto errors = [&](const std::string &arguments) {
@@ -81,7 +91,7 @@ TEST_F(Commands, wrong_command_lines_are_refused)
             "'a.prm'.\n");
   EXPECT_EQ(errors("parameters --html"),
             "Error: 'asperity parameters' takes no argument but "
-            "'--markdown'.\n");
+            "'--campaign' and '--markdown'.\n");
   for (const std::string command : {"", "run ", "check ", "topography "})
     EXPECT_EQ(errors(command + "none.prm"),
               "Error: The parameter file 'none.prm' does not exist or cannot "

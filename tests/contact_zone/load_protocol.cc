@@ -105,3 +105,15 @@ TEST(LoadProtocol, steady_window_ends_at_the_maximal_distance)
   EXPECT_NEAR(protocol.displacement(times[9] - times[8]), 10e-9, 1e-15);
   EXPECT_DOUBLE_EQ(times.back(), 1.5e-6);
 }
+
+TEST(LoadProtocol, a_sliding_distance_sets_the_end_time)
+{
+  SceneParameters parameters;
+  parameters.load.velocity             = 2.;
+  parameters.protocol.sliding_distance = 1e-6;
+  parameters.resolve();
+  const LoadProtocol protocol(parameters.load, parameters.protocol);
+  EXPECT_DOUBLE_EQ(protocol.end_time(), 0.5e-6);
+  EXPECT_DOUBLE_EQ(protocol.displacement(protocol.end_time()), 1e-6);
+  EXPECT_DOUBLE_EQ(protocol.ramp_time(), 0.2 * 0.5e-6);
+}

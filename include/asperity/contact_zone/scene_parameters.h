@@ -95,7 +95,11 @@ namespace asperity
 
   struct ProtocolParameters
   {
-    double         end_time         = 2.5e-7;
+    double end_time = 2.5e-7;
+
+    /** Sliding distance at the end, instead of its time [m]. */
+    std::optional<double> sliding_distance;
+
     double         ramp_fraction    = 0.2;
     unsigned int   ramp_steps       = 24;
     unsigned int   slide_steps      = 96;
@@ -174,6 +178,11 @@ namespace asperity
     /** Relations between entries; throws InputError. */
     void
     check(const ParameterDeclarator &parameters) const;
+
+    /** Puts in numbers that follow from others: the end time from the sliding
+     *  distance. */
+    void
+    resolve();
   };
 } // namespace asperity
 

@@ -1,0 +1,109 @@
+#ifndef asperity_campaign_campaign_results_h
+#define asperity_campaign_campaign_results_h
+
+#include <asperity/campaign/campaign_plan.h>
+#include <asperity/surrogate/sample_table.h>
+
+#include <string>
+#include <vector>
+
+namespace asperity
+{
+  /** How well a law predicts runs that it was not trained on. */
+  struct TestReport
+  {
+    unsigned int n_runs              = 0;
+    double       mean_relative_error = 0.;
+    double       largest_error       = 0.; ///< relative
+
+    /** Share of runs inside the 95 % interval. */
+    double coverage = 0.;
+  };
+
+  TestReport
+  test_law(const FrictionLaw &law, const SampleData &tests);
+
+  /** A law trained on the first runs of a campaign. */
+  struct HistoryRow
+  {
+    unsigned int n_runs              = 0;
+    double       leave_one_out_error = 0.;
+    TestReport   test;
+  };
+
+  /** The records of a campaign, and the laws that they make. */
+  class CampaignResults
+  {
+  public:
+    CampaignResults(const CampaignParameters &parameters,
+                    const CampaignPlan       &plan);
+
+    std::string
+    path_of(const RunOrder &order) const;
+
+    /** Reads all records of the plan. */
+    void
+    collect();
+
+    /** One row a point: means over its profiles. */
+    const SampleTable &
+    table() const;
+
+    /** The law's output of the first training points that were planned, as far
+     *  as they are finished. */
+    SampleData
+    training_data(const unsigned int n_points) const;
+
+    /** The test runs, with those of the test table. */
+    SampleData
+    test_data() const;
+
+    /** Numbers of training points at which laws are compared: after the first
+     *  design and each batch, up to those planned. */
+    std::vector<unsigned int>
+    steps_of_learning() const;
+
+    /** Training points whose runs failed, n x d. */
+    std::vector<double>
+    failed_points() const;
+
+    /** @throws ComputationError if too few runs have succeeded */
+    FrictionLaw
+    train(const SampleData &data) const;
+
+    /** Laws of growing numbers of runs, at the steps of learning. */
+    std::vector<HistoryRow>
+    history() const;
+
+    /** Time of all runs on one core [s]. */
+    double
+    seconds() const;
+
+    /** Relative standard deviation of mu between profiles. */
+    double
+    topography_scatter() const;
+
+    /** Warnings of the runs, each with the number of runs that gave it. */
+    std::vector<std::string>
+    warnings() const;
+
+  private:
+    Sample
+    combine(const PlannedPoint &point, const std::vector<RunRecord> &records);
+
+    const CampaignParameters &parameters;
+    const CampaignPlan       &plan;
+    SampleTable               table_;
+    SampleData                further_tests; ///< of the test table
+    double                    seconds_ = 0.;
+    ShearLimit                shear_limit;
+
+    /** Sum and number of relative variances between profiles. */
+    double       sum_of_variances = 0.;
+    unsigned int n_variances      = 0;
+
+    std::vector<std::pair<std::string, unsigned int>> warnings_;
+  };
+} // namespace asperity
+
+#endif

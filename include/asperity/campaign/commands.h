@@ -1,0 +1,24 @@
+#ifndef asperity_campaign_commands_h
+#define asperity_campaign_commands_h
+
+#include <string>
+
+namespace asperity
+{
+  class ParameterDeclarator;
+
+  /**
+   * `asperity characterize FILE.prm`: runs or resumes a campaign on all ranks,
+   * trains the friction law and writes all that other programs need of it.
+   * @return exit status
+   */
+  int
+  characterize(const std::string &file);
+
+  /** Every parameter of a campaign, for `asperity parameters --campaign`; the
+   *  variables live as long as the program. */
+  void
+  declare_campaign_parameters(ParameterDeclarator &parameters);
+} // namespace asperity
+
+#endif

@@ -1,0 +1,42 @@
+#ifndef asperity_contact_zone_scene_computation_h
+#define asperity_contact_zone_scene_computation_h
+
+#include <asperity/contact_zone/friction_result.h>
+#include <asperity/contact_zone/scene_parameters.h>
+
+#include <string>
+#include <vector>
+
+namespace asperity
+{
+  /** What a campaign keeps of a scene; SI. */
+  struct SceneResult
+  {
+    FrictionResult            friction;
+    std::vector<DistanceMean> over_distance;
+    FrictionRow               last; ///< state at the end
+    double                    oil_load_share = 0.;
+    std::string               lubricant; ///< model, as in parameter files
+    bool                      is_steady         = true;
+    unsigned int              steps             = 0;
+    unsigned int              newton_iterations = 0;
+    std::vector<std::string>  warnings;
+  };
+
+  /**
+   * Computes a scene without writing anything.
+   * @param parameters checked; models chosen by `automatic` go into them
+   * @throws InputError if no scene can be built of them
+   * @throws ComputationError if a step fails after all cuts
+   */
+  SceneResult
+  compute_scene(SceneParameters &parameters);
+
+  /** Warnings of the audit and of a run that has ended. */
+  std::vector<std::string>
+  warnings_of_run(const std::vector<std::string> &warnings_of_audit,
+                  const bool                      is_steady,
+                  const SceneParameters          &parameters);
+} // namespace asperity
+
+#endif

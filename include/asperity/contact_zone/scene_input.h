@@ -1,0 +1,47 @@
+#ifndef asperity_contact_zone_scene_input_h
+#define asperity_contact_zone_scene_input_h
+
+#include <asperity/base/parameters.h>
+#include <asperity/contact_zone/audit.h>
+#include <asperity/contact_zone/scene_parameters.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace asperity
+{
+  /** Entries by their paths, {"Load/Pressure", "450 MPa"}. */
+  using EntryValues = std::vector<std::pair<std::string, std::string>>;
+
+  /** A parameter file of a scene, declared, read and checked. */
+  struct SceneInput
+  {
+    /**
+     * @param file the parameter file
+     * @param changes entries that are set after the file has been read
+     * @throws InputError if the file, a change, or their combination is wrong
+     */
+    explicit SceneInput(const std::string &file,
+                        const EntryValues &changes = {});
+
+    dealii::ParameterHandler handler;
+    ParameterDeclarator      declarator;
+    SceneParameters          parameters;
+  };
+
+  /** A scene with the models that the parameters ask for or, where they say
+   *  `automatic`, those of the audit; these go into the parameters. */
+  struct AuditedScene
+  {
+    explicit AuditedScene(SceneParameters &parameters);
+
+    std::unique_ptr<Scene> scene;
+    SceneAudit             audit;
+  };
+} // namespace asperity
+
+#endif

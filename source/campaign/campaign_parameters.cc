@@ -1,0 +1,227 @@
+#include <asperity/base/errors.h>
+#include <asperity/campaign/campaign_parameters.h>
+
+namespace asperity
+{
+  namespace
+  {
+    std::string
+    section(const unsigned int number)
+    {
+      return "Input " + std::to_string(number);
+    }
+  } // namespace
+
+
+
+  void
+  InputParameters::declare(ParameterDeclarator &parameters,
+                           const unsigned int   number)
+  {
+    const auto in_section = parameters.subsection(section(number));
+    parameters.text("Entry",
+                    entry,
+                    "The entry of the base scene that is varied, by its path, "
+                    "such as Load/Pressure; empty: this input is not used.");
+    parameters.text("From", from, "Lower end of its range, with a unit.");
+    parameters.text("To", to, "Upper end of its range, with a unit.");
+    parameters.choice("Scale",
+                      scale,
+                      {{"linear", Scale::linear},
+                       {"logarithmic", Scale::logarithmic}},
+                      "On which scale points are spread evenly and the law is "
+                      "smooth; `logarithmic` for a range over decades.");
+  }
+
+
+
+  void
+  DesignParameters::declare(ParameterDeclarator &parameters)
+  {
+    const auto in_section = parameters.subsection("Design");
+    parameters.choice(
+      "Kind",
+      kind,
+      {{"Sobol", DesignKind::sobol},
+       {"Latin hypercube", DesignKind::latin_hypercube},
+       {"grid", DesignKind::grid}},
+      "How the points of the first runs fill the box: `Sobol`, a "
+      "sequence of low discrepancy; `Latin hypercube`, each input "
+      "in evenly filled strata; `grid`, every combination of evenly "
+      "spread values.");
+    parameters.integer("Initial runs",
+                       initial_runs,
+                       Range::between(4, 100000),
+                       "Points of the first design; a grid has its own.");
+    parameters.list("Grid points",
+                    grid_points,
+                    "1",
+                    Range::between(2, 1000),
+                    "Values of each input in a grid, in the order of the "
+                    "inputs, both ends included.");
+    parameters.integer("Batch",
+                       batch,
+                       Range::between(0, 1000),
+                       "Points that active learning adds at a time, where the "
+                       "law is least certain; 0 ends with the first design.");
+    parameters.integer("Maximum runs",
+                       maximum_runs,
+                       Range::between(4, 100000),
+                       "Active learning ends with this number of training "
+                       "points.");
+    parameters.number("Target error",
+                      target_error,
+                      Range::positive(),
+                      "Active learning ends when the mean relative error of "
+                      "cross-validation (leave one out) stays below this.");
+    parameters.integer("Test runs",
+                       test_runs,
+                       Range::between(0, 100000),
+                       "Random points that are computed to judge the law and "
+                       "never used to train it.");
+    parameters.file("Test table",
+                    test_table,
+                    "The runs.csv of another campaign with the same inputs, "
+                    "whose test runs judge this law, too.");
+    parameters.integer("Seed",
+                       seed,
+                       Range::between(0, 1000000000),
+                       "Of random points; the same seed gives the same points "
+                       "on every machine.");
+  }
+
+
+
+  void
+  LawParameters::declare(ParameterDeclarator &parameters)
+  {
+    const auto in_section = parameters.subsection("Friction law");
+    parameters.choice("Output",
+                      output,
+                      {{"mu", LawOutput::mu},
+                       {"mu at the end", LawOutput::mu_end}},
+                      "The result that the law gives: `mu` over the friction "
+                      "window of the base scene, or `mu at the end` of it.");
+    parameters.choice("Kernel",
+                      kernel,
+                      {{"RBF", KernelKind::rbf},
+                       {"Matern 3/2", KernelKind::matern_3_2},
+                       {"Matern 5/2", KernelKind::matern_5_2}},
+                      "Covariance of the Gaussian process: how smooth the law "
+                      "is taken to be, infinitely, once or twice "
+                      "differentiable.");
+    parameters.choice("Output scale",
+                      output_scale,
+                      {{"logarithmic", Scale::logarithmic},
+                       {"linear", Scale::linear}},
+                      "Whether the process is fitted to ln(mu), for relative "
+                      "errors and a law that stays positive, or to mu.");
+    parameters.number("Largest trusted deviation",
+                      largest_trusted_deviation,
+                      Range::positive(),
+                      "Standard deviation over mean up to which a prediction "
+                      "inside the ranges is called trusted.");
+    parameters.number("Shear limit strain",
+                      shear_strain,
+                      Range::non_negative(),
+                      "Plastic strain of the chip at which its shear strength "
+                      "k, the limit of the friction stress, is taken.");
+    parameters.quantity("Shear limit rate",
+                        shear_rate,
+                        "1/s",
+                        Range::positive(),
+                        "Strain rate at which k is taken.");
+  }
+
+
+
+  void
+  ExportParameters::declare(ParameterDeclarator &parameters)
+  {
+    const auto in_section = parameters.subsection("Export");
+    parameters.flag("Write",
+                    write,
+                    "Write the law as C, Fortran and tables for other programs "
+                    "into the folder `export`.");
+    parameters.number("Table tolerance",
+                      table_tolerance,
+                      Range::between(1e-6, 1.),
+                      "Largest relative error of linear interpolation in the "
+                      "tables; their grids are refined until they keep it.");
+  }
+
+
+
+  void
+  CampaignParameters::declare(ParameterDeclarator &parameters)
+  {
+    {
+      const auto in_section = parameters.subsection("Campaign");
+      parameters.file("Base scene",
+                      base_scene,
+                      "Parameter file of the scene that is varied.",
+                      Need::mandatory);
+      parameters.text("Output directory",
+                      directory,
+                      "Folder of the campaign; one that holds results goes on "
+                      "from them.");
+      parameters.text("Profile positions",
+                      profile_positions,
+                      "Values of the base scene's Tool/Topography/Profile "
+                      "position, separated by commas: every point is computed "
+                      "on each profile, mu is their mean, and their scatter "
+                      "becomes part of the uncertainty. Empty: one profile.");
+      parameters.flag("Repeat failed runs",
+                      repeat_failed_runs,
+                      "Try runs again that failed in an earlier session.");
+      for (unsigned int i = 0; i < inputs.size(); ++i)
+        inputs[i].declare(parameters, i + 1);
+      design.declare(parameters);
+    }
+    law.declare(parameters);
+    exports.declare(parameters);
+  }
+
+
+
+  void
+  CampaignParameters::check(const ParameterDeclarator &parameters) const
+  {
+    std::size_t n_inputs = 0;
+    for (unsigned int i = 0; i < inputs.size(); ++i)
+      {
+        const std::string path  = "Campaign/" + section(i + 1) + "/";
+        const auto       &input = inputs[i];
+        if (input.entry.empty())
+          continue;
+        ++n_inputs;
+        for (const auto &[key, text] :
+             {std::make_pair("From", input.from), {"To", input.to}})
+          if (text.empty())
+            throw InputError(parameters.where(path + key) +
+                             ": found nothing for the input " + input.entry +
+                             "; expected an end of its range with a unit, such "
+                             "as 300 MPa.");
+        for (unsigned int j = 0; j < i; ++j)
+          if (inputs[j].entry == input.entry)
+            throw InputError(parameters.where(path + "Entry") + ": " +
+                             input.entry + " is already " + section(j + 1) +
+                             "; expected each entry once.");
+      }
+    if (n_inputs == 0)
+      throw InputError(parameters.where("Campaign/Input 1/Entry") +
+                       ": found no input; expected at least one entry of the "
+                       "base scene, such as Load/Pressure.");
+    if (design.kind == DesignKind::grid &&
+        design.grid_points.size() != n_inputs)
+      throw InputError(parameters.where("Campaign/Design/Grid points") +
+                       ": found " + std::to_string(design.grid_points.size()) +
+                       " numbers; expected one for each of the " +
+                       std::to_string(n_inputs) + " inputs.");
+    if (design.batch > 0 && design.maximum_runs < design.initial_runs)
+      throw InputError(parameters.where("Campaign/Design/Maximum runs") +
+                       ": found " + std::to_string(design.maximum_runs) +
+                       "; expected at least the " +
+                       std::to_string(design.initial_runs) + " initial runs.");
+  }
+} // namespace asperity

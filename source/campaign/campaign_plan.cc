@@ -1,0 +1,362 @@
+#include <asperity/base/errors.h>
+#include <asperity/base/text.h>
+#include <asperity/campaign/campaign_plan.h>
+#include <asperity/postprocess/summary.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+
+namespace asperity
+{
+  using json = nlohmann::ordered_json;
+
+  namespace
+  {
+    const char *const profile_entry = "Tool/Topography/Profile position";
+
+    /** The unit behind a number, "1" if there is none. */
+    std::string
+    unit_of(const std::string &text)
+    {
+      char *end = nullptr;
+      std::strtod(text.c_str(), &end);
+      const std::string unit = trim(end);
+      return unit.empty() ? "1" : unit;
+    }
+
+    std::string
+    symbol_of(const std::string &entry)
+    {
+      if (entry == "Load/Pressure")
+        return "p";
+      if (entry == "Load/Velocity")
+        return "v";
+      if (entry == "Load/Temperature")
+        return "T";
+      std::string symbol = entry.substr(entry.rfind('/') + 1);
+      symbol.erase(std::remove(symbol.begin(), symbol.end(), ' '),
+                   symbol.end());
+      return symbol;
+    }
+
+    double
+    end_of_range(const std::string &text,
+                 const Dimension    dimension,
+                 const std::string &where)
+    {
+      try
+        {
+          return parse_quantity(text, dimension);
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(where + ": " + error.what() + ".");
+        }
+    }
+
+    /** That of a number with a unit. */
+    Dimension
+    dimension_of_quantity(const std::string &text, const std::string &where)
+    {
+      try
+        {
+          return dimension_of(unit_of(text));
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(where + ": " + error.what() + ".");
+        }
+    }
+
+    LawInput
+    resolve(const InputParameters     &parameters,
+            const ParameterDeclarator &declarator,
+            const std::string         &section)
+    {
+      LawInput input;
+      input.name                = parameters.entry;
+      input.symbol              = symbol_of(parameters.entry);
+      input.unit                = unit_of(parameters.from);
+      input.scale               = parameters.scale;
+      const std::string from    = declarator.where(section + "/From");
+      const Dimension dimension = dimension_of_quantity(parameters.from, from);
+      input.lower = end_of_range(parameters.from, dimension, from);
+      input.upper = end_of_range(parameters.to,
+                                 dimension,
+                                 declarator.where(section + "/To"));
+      if (!(input.lower < input.upper))
+        throw InputError(declarator.where(section + "/To") + ": found " +
+                         parameters.to + "; expected more than " +
+                         parameters.from + ".");
+      if (input.scale == Scale::logarithmic && input.lower <= 0.)
+        throw InputError(declarator.where(section + "/Scale") +
+                         ": found logarithmic with a range from " +
+                         parameters.from + "; expected a range above 0.");
+      return input;
+    }
+  } // namespace
+
+
+
+  CampaignPlan::CampaignPlan(const CampaignParameters  &parameters,
+                             const ParameterDeclarator &declarator)
+    : profiles(split(parameters.profile_positions, ','))
+  {
+    EntryValues lower, upper;
+    for (unsigned int i = 0; i < parameters.inputs.size(); ++i)
+      {
+        const InputParameters &input = parameters.inputs[i];
+        if (input.entry.empty())
+          continue;
+        inputs_.push_back(resolve(input,
+                                  declarator,
+                                  "Campaign/Input " + std::to_string(i + 1)));
+        lower.emplace_back(input.entry, input.from);
+        upper.emplace_back(input.entry, input.to);
+      }
+    // The scene itself judges both ends of the ranges and the profiles.
+    try
+      {
+        SceneInput(parameters.base_scene, upper);
+        SceneInput         input(parameters.base_scene, lower);
+        std::ostringstream text;
+        input.declarator.write_prm(text);
+        base_scene_text_ = text.str();
+        for (const ParameterEntry &entry : input.declarator.entries())
+          if (entry.subsection != "Output")
+            base_scene.emplace_back(entry.path(),
+                                    input.declarator.get(entry.path()));
+        for (const std::string &position : profiles)
+          input.declarator.set(profile_entry, position);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(declarator.where("Campaign/Base scene") + ": " +
+                         error.what());
+      }
+  }
+
+
+
+  void
+  CampaignPlan::start(const CampaignParameters &parameters,
+                      const std::string        &path)
+  {
+    const DesignParameters &design = parameters.design;
+    if (std::filesystem::exists(path))
+      read(path);
+    follow(
+      design.kind == DesignKind::grid ?
+        grid_points(std::vector<unsigned int>(design.grid_points.begin(),
+                                              design.grid_points.end()),
+                    inputs_) :
+        design_points(design.kind, design.initial_runs, inputs_, design.seed),
+      false);
+    follow(design_points(
+             DesignKind::random, design.test_runs, inputs_, design.seed + 1),
+           true);
+  }
+
+
+
+  const std::string &
+  CampaignPlan::base_scene_text() const
+  {
+    return base_scene_text_;
+  }
+
+
+
+  void
+  CampaignPlan::follow(const std::vector<double> &design, const bool test)
+  {
+    const std::size_t         d = inputs_.size();
+    std::vector<PlannedPoint> known;
+    std::copy_if(points_.begin(),
+                 points_.end(),
+                 std::back_inserter(known),
+                 [test](const PlannedPoint &point) {
+                   return point.test == test;
+                 });
+    for (std::size_t i = 0; i < design.size() / d; ++i)
+      {
+        const std::vector<double> x =
+          as_written(std::vector<double>(design.begin() + i * d,
+                                         design.begin() + (i + 1) * d));
+        if (i >= known.size())
+          add(test, x);
+        else if (known[i].x != x)
+          throw InputError(
+            "The output directory holds a campaign with another design or "
+            "seed (point " +
+            std::to_string(known[i].id) +
+            " differs); take another output directory.");
+      }
+  }
+
+
+
+  std::vector<double>
+  CampaignPlan::as_written(std::vector<double> x) const
+  {
+    for (std::size_t i = 0; i < x.size(); ++i)
+      x[i] = parse_quantity(format_quantity(x[i], inputs_[i].unit),
+                            dimension_of(inputs_[i].unit));
+    return x;
+  }
+
+
+
+  void
+  CampaignPlan::add(const bool test, const std::vector<double> &x)
+  {
+    PlannedPoint point;
+    point.id   = points_.size() + 1;
+    point.test = test;
+    point.x    = as_written(x);
+    points_.push_back(point);
+  }
+
+
+
+  namespace
+  {
+    json
+    to_json(const std::vector<LawInput> &inputs)
+    {
+      json list = json::array();
+      for (const LawInput &input : inputs)
+        list.push_back(
+          {{"entry", input.name},
+           {"unit", input.unit},
+           {"lower", input.lower},
+           {"upper", input.upper},
+           {"scale", input.scale == Scale::linear ? "linear" : "logarithmic"}});
+      return list;
+    }
+
+    json
+    to_json(const EntryValues &values)
+    {
+      json object = json::object();
+      for (const auto &[path, text] : values)
+        object[path] = text;
+      return object;
+    }
+
+    /** Entries that have come with a newer program do not count. */
+    void
+    check_same_scene(const json &now, const json &then, const std::string &path)
+    {
+      for (const auto &[entry, text] : then.items())
+        if (!now.contains(entry) || now.at(entry) != text)
+          throw InputError(
+            "The base scene is not that of the campaign in " + path + ": " +
+            entry + " was " + text.dump() + " and is " +
+            (now.contains(entry) ? now.at(entry).dump() : "gone") +
+            "; take another output directory.");
+    }
+  } // namespace
+
+
+
+  void
+  CampaignPlan::save(const std::string &path) const
+  {
+    json document;
+    document["format"]     = "asperity campaign plan 1";
+    document["inputs"]     = to_json(inputs_);
+    document["profiles"]   = profiles;
+    document["base_scene"] = to_json(base_scene);
+    document["points"]     = json::array();
+    for (const PlannedPoint &point : points_)
+      document["points"].push_back({{"id", point.id},
+                                    {"role", point.test ? "test" : "training"},
+                                    {"x", point.x}});
+    write_summary(path, document);
+  }
+
+
+
+  void
+  CampaignPlan::read(const std::string &path)
+  {
+    const json document = read_summary(path);
+    try
+      {
+        check_same_scene(to_json(base_scene), document.at("base_scene"), path);
+        if (document.at("inputs") != to_json(inputs_) ||
+            document.at("profiles") != json(profiles))
+          throw InputError("The inputs, ranges or profiles are not those of "
+                           "the campaign in " +
+                           path + "; take another output directory.");
+        points_.clear();
+        for (const json &point : document.at("points"))
+          add(point.at("role") == "test",
+              point.at("x").get<std::vector<double>>());
+      }
+    catch (const json::exception &error)
+      {
+        throw InputError("The file " + path +
+                         " is not the plan of a campaign: " + error.what() +
+                         ".");
+      }
+  }
+
+
+
+  const std::vector<LawInput> &
+  CampaignPlan::inputs() const
+  {
+    return inputs_;
+  }
+
+
+
+  const std::vector<PlannedPoint> &
+  CampaignPlan::points() const
+  {
+    return points_;
+  }
+
+
+
+  unsigned int
+  CampaignPlan::n_points(const bool test) const
+  {
+    return std::count_if(points_.begin(),
+                         points_.end(),
+                         [test](const PlannedPoint &point) {
+                           return point.test == test;
+                         });
+  }
+
+
+
+  unsigned int
+  CampaignPlan::n_profiles() const
+  {
+    return std::max<std::size_t>(1, profiles.size());
+  }
+
+
+
+  RunOrder
+  CampaignPlan::order(const PlannedPoint &point,
+                      const unsigned int  profile) const
+  {
+    RunOrder order;
+    order.id      = point.id;
+    order.profile = profile;
+    for (std::size_t i = 0; i < inputs_.size(); ++i)
+      order.changes.emplace_back(inputs_[i].name,
+                                 format_quantity(point.x[i], inputs_[i].unit));
+    if (!profiles.empty())
+      order.changes.emplace_back(profile_entry, profiles[profile]);
+    return order;
+  }
+} // namespace asperity

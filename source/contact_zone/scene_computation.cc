@@ -1,0 +1,48 @@
+#include <asperity/contact_zone/scene_computation.h>
+#include <asperity/contact_zone/scene_input.h>
+#include <asperity/contact_zone/sliding_run.h>
+
+#include <cmath>
+
+namespace asperity
+{
+  std::vector<std::string>
+  warnings_of_run(const std::vector<std::string> &warnings_of_audit,
+                  const bool                      is_steady,
+                  const SceneParameters          &parameters)
+  {
+    std::vector<std::string> warnings = warnings_of_audit;
+    if (parameters.protocol.window == FrictionWindow::steady && !is_steady)
+      warnings.push_back(
+        "mu is not steady after the maximal sliding distance of " +
+        format_quantity(parameters.protocol.maximum_distance, "um") + ".");
+    return warnings;
+  }
+
+
+
+  SceneResult
+  compute_scene(SceneParameters &parameters)
+  {
+    const AuditedScene audited(parameters);
+    SlidingRun         run(parameters, *audited.scene);
+    run.run([](const SlidingRun &) {});
+
+    SceneResult result;
+    result.friction      = run.friction();
+    result.over_distance = means_over_distance(run.state().rows, 0.1e-6);
+    result.last          = run.state().rows.back();
+    result.lubricant     = name(parameters.lubrication.model);
+    result.is_steady =
+      parameters.protocol.window == FrictionWindow::time || run.is_steady();
+    result.steps             = run.state().step;
+    result.newton_iterations = run.newton_statistics().iterations;
+    result.warnings =
+      warnings_of_run(audited.audit.warnings, result.is_steady, parameters);
+    if (result.friction.T_y != 0.)
+      result.oil_load_share = result.friction.oil_pressure *
+                              audited.scene->length /
+                              std::abs(result.friction.T_y);
+    return result;
+  }
+} // namespace asperity

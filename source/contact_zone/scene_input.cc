@@ -1,0 +1,31 @@
+#include <asperity/contact_zone/scene_input.h>
+
+namespace asperity
+{
+  SceneInput::SceneInput(const std::string &file, const EntryValues &changes)
+    : declarator(handler)
+  {
+    parameters.declare(declarator);
+    declarator.read_file(file);
+    for (const auto &[path, value] : changes)
+      declarator.set(path, value);
+    parameters.check(declarator);
+    parameters.resolve();
+  }
+
+
+
+  AuditedScene::AuditedScene(SceneParameters &parameters)
+    : scene(std::make_unique<Scene>(parameters))
+    , audit(audit_scene(parameters, *scene))
+  {
+    if (parameters.protocol.inertia == Inertia::automatic)
+      parameters.protocol.inertia = audit.inertia;
+    audit.inertia = parameters.protocol.inertia;
+    if (parameters.lubrication.model == LubricantModel::automatic)
+      {
+        parameters.lubrication.model = audit.lubricant;
+        scene                        = std::make_unique<Scene>(parameters);
+      }
+  }
+} // namespace asperity

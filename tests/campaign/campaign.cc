@@ -1,0 +1,203 @@
+#include <asperity/base/errors.h>
+#include <asperity/campaign/task_counter.h>
+
+#include <set>
+#include <stdexcept>
+
+#include "campaign_examples.h"
+
+using namespace asperity;
+
+using CampaignRun = CampaignExample;
+
+namespace
+{
+  /** A runner that counts, and dies with its process after so many runs. */
+  struct MortalRunner
+  {
+    unsigned int            lives;
+    std::set<unsigned int> &computed;
+
+    RunRecord
+    operator()(const std::string &scene, const RunOrder &order)
+    {
+      if (lives-- == 0)
+        throw std::runtime_error("killed");
+      EXPECT_TRUE(computed.insert(order.id).second)
+        << "run " << order.id << " is computed twice";
+      return formula_run(scene, order);
+    }
+  };
+} // namespace
+
+
+
+TEST(TaskCounter, hands_out_each_number_once)
+{
+  std::vector<unsigned int> calls(7, 0);
+  for_each_task(calls.size(), MPI_COMM_WORLD, [&](const std::size_t i) {
+    ++calls[i];
+  });
+  EXPECT_EQ(calls, std::vector<unsigned int>(7, 1));
+}
+
+
+
+TEST_F(CampaignRun, grows_to_the_maximum_and_predicts_the_formula)
+{
+  const CampaignInput input(folder, text());
+  Campaign            campaign(input.parameters,
+                    input.declarator,
+                    MPI_COMM_WORLD,
+                    formula_run);
+  campaign.run();
+  EXPECT_EQ(campaign.plan().n_points(false), 20u);
+  EXPECT_EQ(campaign.plan().n_points(true), 10u);
+  const auto law =
+    campaign.results().train(campaign.results().training_data(20));
+  const TestReport report = test_law(law, campaign.results().test_data());
+  EXPECT_EQ(report.n_runs, 10u);
+  EXPECT_LT(report.mean_relative_error, 1e-3);
+  const double x[] = {450e6, 1.5};
+  EXPECT_NEAR(law.mean(x), formula(x[0], x[1]), 1e-3 * formula(x[0], x[1]));
+
+  // 8, 12, 16, 20 points; more points, less error
+  const auto history = campaign.results().history();
+  ASSERT_EQ(history.size(), 4u);
+  EXPECT_LT(history.back().test.mean_relative_error,
+            history.front().test.mean_relative_error);
+}
+
+
+
+TEST_F(CampaignRun, stops_when_two_batches_meet_the_target)
+{
+  CampaignInput input(folder, text());
+  input.parameters.design.target_error = 10.;
+  Campaign campaign(input.parameters,
+                    input.declarator,
+                    MPI_COMM_WORLD,
+                    formula_run);
+  campaign.run();
+  EXPECT_EQ(campaign.plan().n_points(false), 12u);
+}
+
+
+
+TEST_F(CampaignRun, ends_with_the_same_table_however_often_it_is_killed)
+{
+  CampaignInput          input(folder, text());
+  std::set<unsigned int> computed;
+  {
+    Campaign campaign(input.parameters,
+                      input.declarator,
+                      MPI_COMM_WORLD,
+                      formula_run);
+    campaign.run();
+  }
+  const std::string undisturbed = read("out/runs.csv");
+  input.parameters.directory    = (folder / "again").string();
+  for (unsigned int lives = 0; read("again/runs.csv") != undisturbed; ++lives)
+    {
+      ASSERT_LT(lives, 20u);
+      try
+        {
+          Campaign(input.parameters,
+                   input.declarator,
+                   MPI_COMM_WORLD,
+                   MortalRunner{lives, computed})
+            .run();
+        }
+      catch (const std::runtime_error &)
+        {}
+    }
+  EXPECT_EQ(computed.size(), 30u);
+}
+
+
+
+TEST_F(CampaignRun, records_failures_and_goes_on)
+{
+  CampaignInput input(folder, text());
+  const auto    fragile = [](const std::string &scene, const RunOrder &order) {
+    if (order.id != 3 && order.id != 12)
+      return formula_run(scene, order);
+    RunRecord record;
+    record.reason = "Newton's method gave up.";
+    return record;
+  };
+  Campaign campaign(input.parameters,
+                    input.declarator,
+                    MPI_COMM_WORLD,
+                    fragile);
+  campaign.run();
+  const SampleTable &table = campaign.results().table();
+  ASSERT_NE(table.find(3), nullptr);
+  EXPECT_EQ(table.find(3)->reason, "Newton's method gave up.");
+  EXPECT_EQ(table.count(SampleRole::training, SampleStatus::failed), 1u);
+  EXPECT_EQ(table.count(SampleRole::test, SampleStatus::failed), 1u);
+  EXPECT_EQ(campaign.results().failed_points().size(), 2u);
+  EXPECT_EQ(campaign.results().training_data(20).y.size(), 19u);
+}
+
+
+
+TEST_F(CampaignRun, averages_over_profiles)
+{
+  CampaignInput input(folder, text());
+  input.parameters.profile_positions = "row 10, row 20, row 30";
+  input.parameters.design.batch      = 0;
+  // mu differs by 2 % from profile to profile
+  const auto runner = [](const std::string &scene, const RunOrder &order) {
+    RunRecord record = formula_run(scene, order);
+    record.mu *= 1. + 0.02 * (order.profile - 1.);
+    return record;
+  };
+  Campaign campaign(input.parameters, input.declarator, MPI_COMM_WORLD, runner);
+  campaign.run();
+  const Sample &sample = campaign.results().table().samples()[0];
+  const double  mean   = formula(sample.x[0], sample.x[1]);
+  EXPECT_NEAR(sample.outputs[0], mean, 1e-12);
+  EXPECT_NEAR(sample.deviation, 0.02 * mean / std::sqrt(3.), 1e-12);
+  EXPECT_NEAR(campaign.results().topography_scatter(), 0.02, 1e-12);
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/runs/0001_p3.json"));
+}
+
+
+
+TEST_F(CampaignRun, refuses_the_results_of_another_campaign)
+{
+  CampaignInput input(folder, text());
+  input.parameters.design.batch = 0;
+  Campaign(input.parameters, input.declarator, MPI_COMM_WORLD, formula_run)
+    .run();
+  const auto refusal = [&]() -> std::string {
+    try
+      {
+        Campaign(input.parameters,
+                 input.declarator,
+                 MPI_COMM_WORLD,
+                 formula_run);
+      }
+    catch (const InputError &error)
+      {
+        return error.what();
+      }
+    return "";
+  };
+  EXPECT_EQ(refusal(), "");
+  input.parameters.design.test_runs = 12; // more of them is no contradiction
+  EXPECT_EQ(refusal(), "");
+  input.parameters.design.seed = 2;
+  EXPECT_NE(refusal().find("another design or seed"), std::string::npos);
+  input.parameters.design.seed  = 1;
+  input.parameters.inputs[0].to = "1200 MPa";
+  EXPECT_NE(refusal().find("inputs, ranges or profiles"), std::string::npos)
+    << refusal();
+  input.parameters.inputs[0].to = "1300 MPa";
+  std::ofstream(folder / "scene.prm")
+    << "subsection Mesh\n set Spans = 64\n set Refinement levels = 1\nend\n";
+  EXPECT_NE(refusal().find("Mesh/Spans was \"32\" and is \"64\""),
+            std::string::npos)
+    << refusal();
+}

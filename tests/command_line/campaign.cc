@@ -1,0 +1,130 @@
+#include <fcntl.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <random>
+#include <thread>
+
+#include "program.h"
+
+// `asperity characterize` as its users run it: a small campaign of coarse
+// scenes, alone, on two ranks, and killed.
+
+using namespace asperity;
+
+namespace
+{
+  class Characterize : public Program
+  {
+  protected:
+    void
+    SetUp() override
+    {
+      Program::SetUp();
+      write("scene.prm",
+            "subsection Mesh\n set Spans = 32\n set Refinement levels = 1\n"
+            "end\nsubsection Protocol\n set Ramp steps = 4\n"
+            " set Slide steps = 8\n set Inertia = quasi-static\nend\n");
+    }
+
+    std::string
+    campaign(const std::string &directory) const
+    {
+      return "subsection Campaign\n set Base scene = scene.prm\n"
+             " set Output directory = " +
+             directory +
+             "\n subsection Input 1\n  set Entry = Load/Pressure\n"
+             "  set From = 300 MPa\n  set To = 1300 MPa\n end\n"
+             " subsection Input 2\n  set Entry = Load/Temperature\n"
+             "  set From = 25 degC\n  set To = 700 degC\n end\n"
+             " subsection Design\n  set Initial runs = 6\n  set Batch = 2\n"
+             "  set Maximum runs = 10\n  set Target error = 1e-9\n"
+             "  set Test runs = 2\n end\nend\n";
+    }
+
+    /** Starts the campaign and kills it without warning after a while.
+     *  @return whether it was still running */
+    bool
+    run_and_kill(const std::string &file, const double seconds) const
+    {
+      const pid_t process = fork();
+      if (process == 0)
+        {
+          const int sink = open("/dev/null", O_WRONLY);
+          dup2(sink, 1);
+          dup2(sink, 2);
+          if (chdir(folder.c_str()) == 0)
+            execl(ASPERITY_PROGRAM,
+                  "asperity",
+                  "characterize",
+                  file.c_str(),
+                  nullptr);
+          _exit(127);
+        }
+      std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+      kill(process, SIGKILL);
+      int status = 0;
+      waitpid(process, &status, 0);
+      return WIFSIGNALED(status);
+    }
+  };
+} // namespace
+
+TEST_F(Characterize, two_ranks_and_kills_do_not_change_the_result)
+{
+  using Clock = std::chrono::steady_clock;
+  write("one.prm", campaign("one"));
+  const auto   start = Clock::now();
+  const Result alone = run("characterize one.prm");
+  const double seconds =
+    std::chrono::duration<double>(Clock::now() - start).count();
+  ASSERT_EQ(alone.status, 0) << alone.errors;
+  EXPECT_NE(alone.output.find("12 runs, 0 failed"), std::string::npos)
+    << alone.output;
+  const std::string table = read("one/runs.csv");
+  ASSERT_NE(table, "");
+  for (const char *name :
+       {"friction_law.json", "history.csv", "sensitivity.csv", "summary.json"})
+    EXPECT_NE(read(std::string("one/") + name), "") << name;
+
+  write("two.prm", campaign("two"));
+  const Result shared = run("characterize two.prm", "mpirun -np 2");
+  ASSERT_EQ(shared.status, 0) << shared.errors;
+  EXPECT_EQ(read("two/runs.csv"), table);
+
+  // Ten kills at random moments; the last start ends by itself.
+  write("killed.prm", campaign("killed"));
+  std::mt19937 random(7);
+  for (unsigned int i = 0; i < 10; ++i)
+    run_and_kill("killed.prm",
+                 seconds * (0.02 + 0.3 * (random() % 1000) / 1000.));
+  const Result last = run("characterize killed.prm");
+  ASSERT_EQ(last.status, 0) << last.errors;
+  EXPECT_EQ(read("killed/runs.csv"), table);
+  EXPECT_EQ(read("killed/friction_law.json").size(),
+            read("one/friction_law.json").size());
+}
+
+TEST_F(Characterize, wrong_input_ends_with_one_sentence)
+{
+  const auto errors = [&](const std::string &text) {
+    write("campaign.prm", text);
+    const Result result = run("characterize campaign.prm");
+    EXPECT_EQ(result.status, 2);
+    return result.errors;
+  };
+  EXPECT_EQ(errors("subsection Campaign\nend\n"),
+            "Error: campaign.prm: The mandatory entry 'Campaign/Base scene' "
+            "(file) is missing.\n");
+  EXPECT_EQ(errors("subsection Campaign\n set Base scene = scene.prm\nend\n"),
+            "Error: entry 'Campaign/Input 1/Entry': found no input; expected "
+            "at least one entry of the base scene, such as Load/Pressure.\n");
+  EXPECT_EQ(errors("subsection Campaign\n set Base scene = other.prm\nend\n")
+              .find(
+                "Error: campaign.prm, line 2, entry 'Campaign/Base scene': "),
+            0u);
+  EXPECT_EQ(run("characterize").errors,
+            "Error: 'asperity characterize' takes one parameter file, as in "
+            "'asperity characterize scene.prm'.\n");
+}
