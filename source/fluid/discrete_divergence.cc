@@ -109,6 +109,7 @@ namespace asperity
     // The equations themselves, and those without the prescribed unknowns.
     assemble_saddle_point(space_, mapping(), space_.topology(), saddle_point);
     assemble_saddle_point(space_, mapping(), constraints, matrix);
+    is_factorised                 = false; // no tangent of the flow
     const unsigned int n_velocity = space_.n_velocity_dofs();
     for (unsigned int i = n_velocity; i < u.size(); ++i)
       if (!space_.topology().is_constrained(i))

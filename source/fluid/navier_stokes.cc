@@ -135,6 +135,12 @@ namespace asperity
                       dealii::AffineConstraints<
                         double>::MergeConflictBehavior::left_object_wins);
     constraints.close();
+    std::vector<unsigned int> now;
+    for (const auto &line : constraints.get_lines())
+      now.push_back(line.index);
+    if (now != constrained)
+      is_factorised = false;
+    constrained.swap(now);
 
     for (const auto &entry : prescribed)
       u(entry.first) = entry.second;
@@ -182,9 +188,10 @@ namespace asperity
       return report;
 
     NewtonOptions newton_options;
-    newton_options.tolerance          = options.tolerance;
-    newton_options.maximum_iterations = options.maximum_newton_iterations;
-    newton_options.merit              = NewtonMerit::residual_norm;
+    newton_options.tolerance                = options.tolerance;
+    newton_options.maximum_iterations       = options.maximum_newton_iterations;
+    newton_options.merit                    = NewtonMerit::residual_norm;
+    newton_options.kept_tangent_contraction = options.kept_tangent_contraction;
     momentum_scale = continuity_scale = 0.;
     report = newton(*this, u, newton_options, statistics_);
     if (level.is_undetermined())
@@ -293,6 +300,7 @@ namespace asperity
   NavierStokes::linearize(const Vector &u, Vector &R)
   {
     assemble(u, R, &matrix);
+    is_factorised = false;
     return true;
   }
 
@@ -301,12 +309,21 @@ namespace asperity
   bool
   NavierStokes::direction(const Vector &R, Vector &d)
   {
-    if (!solver->factorize(matrix))
+    if (!is_factorised && !solver->factorize(matrix))
       return false;
-    d = R;
+    is_factorised = true;
+    d             = R;
     d *= -1.;
     solver->solve(d);
     constraints.distribute(d);
     return std::isfinite(d.l2_norm());
+  }
+
+
+
+  bool
+  NavierStokes::has_tangent() const
+  {
+    return is_factorised;
   }
 } // namespace asperity

@@ -1,3 +1,4 @@
+#include <asperity/base/errors.h>
 #include <asperity/fluid/navier_stokes.h>
 
 #include <deal.II/fe/fe_values.h>
@@ -5,10 +6,63 @@
 #include <deal.II/numerics/data_component_interpretation.h>
 #include <deal.II/numerics/vector_tools.h>
 
+#include <algorithm>
+#include <vector>
+
 // What a flow knows about itself, and its state.
 namespace asperity
 {
   using dealii::Tensor;
+
+  namespace
+  {
+    template <typename State>
+    auto
+    vectors(State &state)
+    {
+      return std::vector{&state.u,
+                         &state.u_old,
+                         &state.displacement,
+                         &state.displacement_old,
+                         &state.divergence};
+    }
+  } // namespace
+
+
+
+  std::vector<double>
+  FluidState::save() const
+  {
+    std::vector<double> data = {time, dt, static_cast<double>(n_steps)};
+    for (const auto *v : vectors(*this))
+      data.insert(data.end(), v->begin(), v->end());
+    return data;
+  }
+
+
+
+  void
+  FluidState::load(const std::vector<double> &data)
+  {
+    std::size_t size = 3;
+    for (const auto *v : vectors(*this))
+      size += v->size();
+    if (data.size() != size)
+      throw InputError("The flow of the checkpoint has " +
+                       std::to_string(data.size()) + " numbers; expected " +
+                       std::to_string(size) + ".");
+    time       = data[0];
+    dt         = data[1];
+    n_steps    = static_cast<unsigned int>(data[2]);
+    auto value = data.begin() + 3;
+    for (auto *v : vectors(*this))
+      {
+        std::copy_n(value, v->size(), v->begin());
+        value += v->size();
+      }
+  }
+
+
 
   NavierStokes::Vector
   NavierStokes::reference_positions() const

@@ -136,6 +136,60 @@ namespace asperity
       const NewtonOptions &options;
       NewtonStatistics    &statistics;
     };
+
+    /**
+     * Full steps with a tangent that is kept while it is good enough. Ends at
+     * convergence, at a step that fails with a new tangent, or at the iteration
+     * limit; u is the best iterate, report.iterations the steps up to it.
+     */
+    ConvergenceReport
+    iterate_with_kept_tangent(NonlinearSystem     &system,
+                              Vector              &u,
+                              const NewtonOptions &options,
+                              NewtonStatistics    &statistics)
+    {
+      ConvergenceReport report;
+      Vector            R(u.size()), R_new(u.size()), d(u.size());
+      ++statistics.residuals;
+      if (!system.residual(u, R))
+        return report;
+      report.residual = system.norm(R);
+      bool is_slow    = !system.has_tangent();
+      while (std::isfinite(report.residual) &&
+             report.iterations < options.maximum_iterations)
+        {
+          report.converged = report.residual <= options.tolerance;
+          if (report.converged)
+            return report;
+          const bool is_new = is_slow;
+          if (is_new)
+            {
+              ++statistics.linearizations;
+              if (!system.linearize(u, R))
+                return report;
+            }
+          ++statistics.iterations;
+          if (!system.direction(R, d))
+            return report;
+          u += d;
+          ++statistics.residuals;
+          const bool   exists = system.residual(u, R_new);
+          const double norm   = system.norm(R_new);
+          if (!exists || !(norm < report.residual))
+            {
+              u -= d;
+              if (is_new)
+                return report;
+              is_slow = true;
+              continue;
+            }
+          is_slow = norm > options.kept_tangent_contraction * report.residual;
+          report.residual = norm;
+          R.swap(R_new);
+          ++report.iterations;
+        }
+      return report;
+    }
   } // namespace
 
 
@@ -147,7 +201,13 @@ namespace asperity
          NewtonStatistics    &statistics)
   {
     ConvergenceReport report;
-    Vector            R(u.size()), d(u.size());
+    if (options.kept_tangent_contraction > 0.)
+      {
+        report = iterate_with_kept_tangent(system, u, options, statistics);
+        if (report.converged)
+          return report;
+      }
+    Vector R(u.size()), d(u.size());
     ++statistics.linearizations;
     if (!system.linearize(u, R))
       {

@@ -164,3 +164,40 @@ TEST(Newton, EquationWithoutRootEndsWithAReason)
   EXPECT_FALSE(report.converged);
   EXPECT_FALSE(report.reason.empty());
 }
+
+
+
+TEST(Newton, KeepsATangentAsLongAsItIsGood)
+{
+  // The chord of slope f'(1) contracts by 1 - f'(x)/f'(1), which is 0.26 at
+  // ln 2; a new tangent is needed once, where 0.2 is asked for.
+  for (const auto &[contraction, n_tangents] :
+       {std::pair<double, unsigned int>{0.5, 1}, {0.2, 2}})
+    {
+      Scalar        system([](const double x) { return std::exp(x) - 2.; },
+                    [](const double x) { return std::exp(x); });
+      Vector        u = start(1.);
+      NewtonOptions options;
+      options.tolerance                = 1e-13;
+      options.kept_tangent_contraction = contraction;
+      NewtonStatistics statistics;
+      ASSERT_TRUE(newton(system, u, options, statistics).converged);
+      EXPECT_NEAR(u(0), std::log(2.), 1e-13);
+      EXPECT_EQ(statistics.linearizations, n_tangents);
+    }
+}
+
+
+
+TEST(Newton, LeavesAKeptTangentThatLeadsAway)
+{
+  Scalar        system([](const double x) { return std::atan(x); },
+                [](const double x) { return 1. / (1. + x * x); });
+  Vector        u = start(10.);
+  NewtonOptions options;
+  options.tolerance                = 1e-13;
+  options.kept_tangent_contraction = 0.5;
+  NewtonStatistics statistics;
+  EXPECT_TRUE(newton(system, u, options, statistics).converged);
+  EXPECT_NEAR(u(0), 0., 1e-13);
+}

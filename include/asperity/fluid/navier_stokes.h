@@ -36,6 +36,12 @@ namespace asperity
     unsigned int     maximum_newton_iterations = 20;
     DirectSolverKind solver                    = DirectSolverKind::umfpack;
 
+    /** Tangents are kept from one solution to the next while each step with
+     *  them reduces the residual to this share or less,
+     *  NewtonOptions::kept_tangent_contraction; 0: never. The flow then depends
+     *  on earlier ones within the tolerance. */
+    double kept_tangent_contraction = 0.;
+
     /** Net flux over the integral of |v| on the boundary of an enclosed part:
      *  below it the flux is taken for an error of interpolation and spread over
      *  the part, above it there is no solution. */
@@ -54,6 +60,15 @@ namespace asperity
     dealii::Vector<double> u, u_old;     ///< at t_n and t_{n-1}
     dealii::Vector<double> displacement, displacement_old; ///< of the mesh
     dealii::Vector<double> divergence; ///< at t_n, see NavierStokes
+
+    /** As a list of numbers. */
+    std::vector<double>
+    save() const;
+
+    /** Takes the values from such a list; the sizes are those of this state.
+     *  @throw InputError if the list is of another length */
+    void
+    load(const std::vector<double> &data);
   };
 
   /**
@@ -235,6 +250,9 @@ namespace asperity
     bool
     direction(const Vector &R, Vector &d) override;
 
+    bool
+    has_tangent() const override;
+
     double
     norm(const Vector &R) const override;
 
@@ -269,6 +287,8 @@ namespace asperity
     dealii::SparsityPattern           pattern;
     dealii::SparseMatrix<double>      matrix;
     std::unique_ptr<DirectSolver>     solver;
+    std::vector<unsigned int>         constrained; ///< unknowns, in order
+    bool                              is_factorised = false;
 
     Vector           u, u_old, u_older; ///< iterate, t_n, t_{n-1}
     Vector           cell_forces;       ///< residual of the cells at u

@@ -27,6 +27,14 @@ namespace asperity
     virtual bool
     direction(const dealii::Vector<double> &R, dealii::Vector<double> &d) = 0;
 
+    /** A factorised tangent is at hand, of this or an earlier u: direction()
+     *  can be called without linearize(). */
+    virtual bool
+    has_tangent() const
+    {
+      return false;
+    }
+
     /** The measure of a residual that convergence is judged by: the Euclidean
      *  norm, unless the components of R differ in unit. */
     virtual double
@@ -55,6 +63,11 @@ namespace asperity
      *  of a solid beside a fluid whose equations have no energy; 0: all. */
     unsigned int n_energy_components = 0;
 
+    /** A tangent is kept, also that of an earlier call, as long as each step
+     *  with it reduces the norm to this share of its value or less; 0: every
+     *  step has its own tangent. */
+    double kept_tangent_contraction = 0.;
+
     /** A step is accepted if |R(u + a d).d| <= this times |R(u).d|. */
     double       line_search_tolerance = 0.8;
     unsigned int line_search_trials    = 8;
@@ -74,6 +87,10 @@ namespace asperity
    * Analysis of Solids and Structures, vol. 1, sec. 9.4; regula falsi), not on
    * the residual norm, which stalls where contact opens and closes. With
    * NewtonMerit::residual_norm the step is halved until the norm falls.
+   *
+   * With NewtonOptions::kept_tangent_contraction full steps with kept tangents
+   * come first; the method proper goes on where even a new tangent's full step
+   * does not make the norm smaller.
    *
    * On failure u is the last iterate; the caller keeps the state to go back to.
    * report.residual is the norm of the system.
