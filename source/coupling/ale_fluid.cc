@@ -99,10 +99,7 @@ namespace asperity
   ConvergenceReport
   AleFluid::solve(const WallCondition &condition, WallResponse &response)
   {
-    Vector boundary(flow.space().geometry_dofs().n_dofs());
-    for (unsigned int i = 0; i < geometry_dof.size(); ++i)
-      boundary(geometry_dof[i]) = condition.displacement(i);
-    flow.set_mesh_displacement(mesh_update(boundary));
+    flow.set_mesh_displacement(mesh_displacement(condition.displacement));
 
     const NodalVectors wall_velocity = flow.wall_mesh_velocity(wall);
     if (std::isfinite(condition.alpha))
@@ -232,6 +229,17 @@ namespace asperity
           loads[1 + i](2 * n + i) = length[n];
       }
     return loads;
+  }
+
+
+
+  Vector
+  AleFluid::mesh_displacement(const Vector &displacement) const
+  {
+    Vector boundary(flow.space().geometry_dofs().n_dofs());
+    for (unsigned int i = 0; i < geometry_dof.size(); ++i)
+      boundary(geometry_dof[i]) = displacement(i);
+    return mesh_update(boundary);
   }
 
 

@@ -1,6 +1,11 @@
+#include <asperity/base/errors.h>
 #include <asperity/coupling/fluid_structure.h>
+#include <asperity/fluid/flow_transfer.h>
 
 #include <deal.II/base/bounding_box.h>
+
+#include <algorithm>
+#include <array>
 
 namespace asperity
 {
@@ -138,5 +143,103 @@ namespace asperity
   FluidStructure::solid() const
   {
     return *solid_side;
+  }
+
+
+
+  std::vector<double>
+  FluidStructure::save()
+  {
+    // Each part follows its length.
+    const std::vector<double> learnt     = coupling().save();
+    const std::vector<double> flow_data  = flow_.state().save();
+    const SplineSolid::State  body_state = solid_side->state();
+    std::vector<double>       body_data;
+    for (const auto *v :
+         {&body_state.u, &body_state.v, &body_state.a, &body_state.forces})
+      body_data.insert(body_data.end(), v->begin(), v->end());
+    std::vector<double> data;
+    for (const auto &part : {flow_data, body_data, learnt})
+      {
+        data.push_back(part.size());
+        data.insert(data.end(), part.begin(), part.end());
+      }
+    return data;
+  }
+
+
+
+  void
+  FluidStructure::load(const std::vector<double> &data)
+  {
+    std::array<std::vector<double>, 3> parts;
+    std::size_t                        first = 0;
+    for (auto &part : parts)
+      {
+        if (first >= data.size() || !(data[first] < data.size() - first))
+          throw InputError("The checkpoint of fluid and structure ends after " +
+                           std::to_string(data.size()) +
+                           " numbers, before it is complete.");
+        const auto begin = data.begin() + first + 1;
+        part.assign(begin, begin + static_cast<std::size_t>(data[first]));
+        first += 1 + part.size();
+      }
+    PartitionedStep   &coupled    = coupling();
+    SplineSolid::State body_state = solid_side->state();
+    const std::size_t  n          = body_state.u.size();
+    if (parts[1].size() != 4 * n)
+      throw InputError("The body of the checkpoint has " +
+                       std::to_string(parts[1].size()) + " numbers; expected " +
+                       std::to_string(4 * n) + ".");
+    auto value = parts[1].begin();
+    for (auto *v :
+         {&body_state.u, &body_state.v, &body_state.a, &body_state.forces})
+      {
+        v->reinit(n);
+        std::copy_n(value, n, v->begin());
+        value += n;
+      }
+    FluidState flow_state = flow_.state();
+    flow_state.load(parts[0]);
+    coupled.load(parts[2]);
+    flow_.set_state(flow_state);
+    solid_side->set_state(body_state);
+  }
+
+
+
+  void
+  FluidStructure::continue_from(const FluidStructure &other)
+  {
+    PartitionedStep         &coupled    = coupling();
+    const SplineSolid::State body_state = other.solid().state();
+    const unsigned int       n          = solid_side->displacement().size();
+    if (body_state.u.size() != n)
+      throw InputError("The body to continue from has " +
+                       std::to_string(body_state.u.size()) +
+                       " unknowns; expected " + std::to_string(n) + ".");
+    const dealii::Vector<double> wall_displacement =
+      interface.interpolate(body_state.u);
+    const FluidState old       = other.flow_.state();
+    const auto      &old_space = other.flow_.space();
+    FluidState       state     = old;
+    for (const auto &[from, to] :
+         {std::pair{&old.u, &state.u}, {&old.u_old, &state.u_old}})
+      {
+        *to =
+          interpolate_to_mesh(old_space.dofs(), *from, flow_.space().dofs());
+        flow_.space().topology().distribute(*to);
+      }
+    dealii::Vector<double> last_motion = old.displacement;
+    last_motion -= old.displacement_old;
+    state.displacement     = fluid_side.mesh_displacement(wall_displacement);
+    state.displacement_old = state.displacement;
+    state.displacement_old -= mesh_update.update(interpolate_to_mesh(
+      old_space.geometry_dofs(), last_motion, flow_.space().geometry_dofs()));
+    state.divergence.reinit(state.u.size());
+    flow_.set_state(state);
+    solid_side->set_state(body_state);
+    coupled.set_state(dealii::Vector<double>(wall_displacement.size()),
+                      wall_displacement);
   }
 } // namespace asperity

@@ -39,6 +39,24 @@ namespace asperity
         }
     }
 
+    /** At the flag's tip and where it leaves the cylinder. */
+    void
+    refine_flag_corners(Mesh &mesh, const unsigned int n_layers)
+    {
+      const double half = 0.5 * (flag_high - flag_low);
+      const double root = centre[0] + std::sqrt(radius * radius - half * half);
+      for (unsigned int layer = 0; layer < n_layers; ++layer)
+        {
+          for (const auto &cell : mesh.active_cell_iterators())
+            for (const unsigned int v : cell->vertex_indices())
+              for (const double x : {root, flag_end})
+                for (const double y : {flag_low, flag_high})
+                  if (cell->vertex(v).distance(Point<2>(x, y)) < 1e-9)
+                    cell->set_refine_flag();
+          mesh.execute_coarsening_and_refinement();
+        }
+    }
+
     /** Collects vertices by position and cells by their corners. */
     struct CoarseMesh
     {
@@ -158,7 +176,8 @@ namespace asperity
   void
   make_channel_with_flag(Mesh              &mesh,
                          const unsigned int n_refinements,
-                         const unsigned int n_wall_layers)
+                         const unsigned int n_wall_layers,
+                         const unsigned int n_corner_layers)
   {
     CoarseMesh coarse;
     coarse.add_ring();
@@ -188,5 +207,6 @@ namespace asperity
     refine_walls(mesh,
                  n_wall_layers,
                  {channel_cylinder, flag_bottom, flag_tip, flag_top});
+    refine_flag_corners(mesh, n_corner_layers);
   }
 } // namespace asperity

@@ -27,6 +27,41 @@ TEST(InflatableBox, KeepsTheVolumeThatFlowsIn)
 
 
 
+// A box that is filled and shut keeps its pressure, however many steps follow,
+// and whatever the step, it is the one that belongs to the volume (in
+// proportion to what was filled in, as the walls move little). Thick oil, large
+// steps and the dissipation of the time integration calm the walls.
+TEST(InflatableBox, KeepsItsPressureWhenShut)
+{
+  std::array<double, 2> stiffness;
+  for (const unsigned int k : {0, 1})
+    {
+      const double          dt = k == 0 ? 0.1 : 0.05, shut = 0.2;
+      FluidStructureOptions options = InflatableBox::default_options();
+      options.fluid.model.viscosity.viscosity *= 300.;
+      options.solid.spectral_radius = 0.;
+      InflatableBox box(0, 1, options, shut);
+      NavierStokes &flow     = box.problem->flow();
+      const auto    pressure = [&flow] {
+        return flow.pressure_at({-1., 2.2 - 1e-9});
+      };
+      const double       start   = flow.volume();
+      const unsigned int n_steps = std::lround(12. / dt);
+      double             earlier = 0.;
+      for (unsigned int i = 1; i <= n_steps; ++i)
+        {
+          ASSERT_TRUE(box.problem->advance(dt).converged);
+          if (i == n_steps / 2)
+            earlier = pressure();
+        }
+      EXPECT_NEAR(pressure() / earlier, 1., 0.01);
+      stiffness[k] = pressure() / (flow.volume() - start);
+    }
+  EXPECT_NEAR(stiffness[1] / stiffness[0], 1., 0.01);
+}
+
+
+
 TEST(InflatableBox, RefusesDirichletNeumann)
 {
   FluidStructureOptions options = InflatableBox::default_options();

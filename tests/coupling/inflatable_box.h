@@ -31,15 +31,20 @@ namespace inflatable_box
    * 38 (2006) 417-429 kind, that only an inflow leads into: 3.4 x 3.4 m
    * outside, elastic walls of 0.2 m, a rigid channel of 1 m x 1.5 m through the
    * middle of the left wall, which is clamped there. Parabolic inflow with a
-   * peak of 1 m/s, from rest to full in 1 s.
+   * peak of 1 m/s, from rest to full in 1 s; it may be shut again.
    */
   class InflatableBox
   {
   public:
-    /** @param n_spans of the wall's spline per metre, roughly */
+    /**
+     * @param n_spans of the wall's spline per metre, roughly
+     * @param shut time at which the inflow begins to cease [s]; nothing flows
+     *   from half a second later on
+     */
     InflatableBox(const unsigned int           refinements,
                   const unsigned int           n_spans,
-                  const FluidStructureOptions &options)
+                  const FluidStructureOptions &options,
+                  const double                 shut = INFINITY)
     {
       make_mesh(refinements);
       problem        = std::make_unique<FluidStructure>(mesh,
@@ -47,10 +52,10 @@ namespace inflatable_box
                                                  make_body(n_spans),
                                                  options);
       auto &boundary = problem->flow().boundary();
-      boundary.set_velocity({inlet}, [](const Point<2> &x, const double t) {
+      boundary.set_velocity({inlet}, [shut](const Point<2> &x, const double t) {
         const double s = x[1] - 1.2;
         Tensor<1, 2> v;
-        v[0] = 4. * s * (1. - s) * ramp(t);
+        v[0] = 4. * s * (1. - s) * ramp(t, shut);
         return v;
       });
       boundary.set_velocity({channel}, [](const Point<2> &, const double) {
@@ -59,16 +64,20 @@ namespace inflatable_box
     }
 
     static double
-    ramp(const double t)
+    ramp(const double t, const double shut)
     {
-      return t < 1. ? std::sin(0.5 * M_PI * t) : 1.;
+      const double rise = t < 1. ? std::sin(0.5 * M_PI * t) : 1.;
+      if (t < shut)
+        return rise;
+      const double fall = std::cos(M_PI * std::min(t - shut, 0.5));
+      return rise * fall * fall;
     }
 
     /** Inflow at a time [m^2/s]: two thirds of the peak. */
     static double
-    inflow(const double t)
+    inflow(const double t, const double shut = INFINITY)
     {
-      return 2. / 3. * ramp(t);
+      return 2. / 3. * ramp(t, shut);
     }
 
     /** As the published case. */

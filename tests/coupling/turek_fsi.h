@@ -24,20 +24,22 @@ namespace turek_fsi
     double inflow;        ///< mean velocity [m/s]
     double shear_modulus; ///< of the flag [Pa]
     double flag_density;  ///< [kg/m^3]
-    bool   is_steady;
+    double frequency;     ///< of the swinging flag; 0: steady [1/s]
   };
 
-  constexpr Case fsi1{0.2, 0.5e6, 1e3, true};
-  constexpr Case fsi2{1., 0.5e6, 1e4, false};
-  constexpr Case fsi3{2., 2e6, 1e3, false};
+  constexpr Case fsi1{0.2, 0.5e6, 1e3, 0.};
+  constexpr Case fsi2{1., 0.5e6, 1e4, 1.93};
+  constexpr Case fsi3{2., 2e6, 1e3, 5.46};
 
   struct Discretization
   {
-    unsigned int refinements = 0; ///< of the fluid's coarse mesh
-    unsigned int wall_layers = 0;
-    unsigned int degree      = 3; ///< of the flag's splines
-    unsigned int spans_x     = 16;
-    unsigned int spans_y     = 2;
+    unsigned int refinements   = 0; ///< of the fluid's coarse mesh
+    unsigned int wall_layers   = 0;
+    unsigned int corner_layers = 0;
+    unsigned int fluid_degree  = 2; ///< of velocity and geometry
+    unsigned int degree        = 3; ///< of the flag's splines
+    unsigned int spans_x       = 16;
+    unsigned int spans_y       = 2;
   };
 
   /** The last span is four times as long as the first, at the cylinder. */
@@ -85,7 +87,7 @@ namespace turek_fsi
     options.fluid.model.density             = 1e3;
     options.fluid.model.viscosity.viscosity = 1.;
     options.solid.load_floor                = 1.;
-    if (data.is_steady)
+    if (data.frequency == 0.)
       {
         // Without rates a wall has no velocity that Robin's condition could
         // give way to.
@@ -106,20 +108,23 @@ namespace turek_fsi
   class TurekFsi
   {
   public:
-    TurekFsi(const Case                  &data,
-             const Discretization        &discretization,
-             const FluidStructureOptions &options)
+    TurekFsi(const Case           &data,
+             const Discretization &discretization,
+             FluidStructureOptions options)
     {
+      options.fluid.degree = options.fluid.geometry_degree =
+        discretization.fluid_degree;
       make_channel_with_flag(mesh,
                              discretization.refinements,
-                             discretization.wall_layers);
+                             discretization.wall_layers,
+                             discretization.corner_layers);
       problem = std::make_unique<FluidStructure>(
         mesh,
         BoundaryIds{flag_bottom, flag_tip, flag_top},
         make_flag(data, discretization),
         options);
       const double U         = data.inflow;
-      const bool   is_steady = data.is_steady;
+      const bool   is_steady = data.frequency == 0.;
       const auto   inflow = [U, is_steady](const Point<2> &x, const double t) {
         const double ramp =
           is_steady || t >= 2. ? 1. : 0.5 * (1. - std::cos(M_PI * t / 2.));

@@ -1,10 +1,15 @@
 // Fluid-structure benchmarks that take longer than a test should:
 //
-//   fsi_benchmarks fsi1
-//   fsi_benchmarks fsi2|fsi3 REFINEMENTS WALL_LAYERS DT END_TIME FILE.csv
+//   fsi_benchmarks fsi1 [DEGREE REFINEMENTS WALL_LAYERS CORNER_LAYERS SPANS_X
+//     SPANS_Y]
+//   fsi_benchmarks fsi2|fsi3 MESH STEPS FILE.csv [MESH FILE.csv]
 //   fsi_benchmarks box
 //   fsi_benchmarks pulse
-//   fsi_benchmarks added_mass
+//   fsi_benchmarks added_mass [DENSITY_RATIO DT]
+//
+// MESH of the flow: DEGREE,REFINEMENTS,WALL_LAYERS,CORNER_LAYERS. STEPS: dt:end
+// time, one after the other, e.g. 0.005:2,0.002:5. A second MESH and FILE: the
+// run to continue from on another mesh.
 //
 // fsi2 and fsi3 write a row a step: time, tip displacement, drag and lift,
 // coupling iterations, and print the mean number of iterations;
@@ -19,41 +24,40 @@
 
 #include <coupling/inflatable_box.h>
 #include <coupling/lined_channel.h>
-#include <coupling/turek_fsi.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
 #include <string>
 
+#include "swinging_flag.h"
+
 namespace
 {
   using namespace turek_fsi;
 
-  void
-  steady_flag()
+  struct SteadyRow
   {
-    std::cout
-      << "| refinements | wall layers | fluid unknowns | flag | ux 1e-5 "
-         "m | uy 1e-4 m | drag N/m | lift N/m | iterations | seconds "
-         "|\n";
-    for (const auto &[refinements, layers] :
-         {std::pair<unsigned int, unsigned int>{0, 0},
-          {1, 0},
-          {1, 1},
-          {2, 0},
-          {2, 1},
-          {3, 0},
-          {3, 1}})
+    unsigned int degree, refinements, wall_layers, corner_layers;
+    unsigned int spans_x, spans_y;
+  };
+
+  void
+  steady_flag(const std::vector<SteadyRow> &rows)
+  {
+    std::cout << "| elements | refinements | fluid unknowns | flag | ux 1e-5 m "
+                 "| uy 1e-4 m | drag N/m | lift N/m | iterations | seconds |\n";
+    for (const SteadyRow &row : rows)
       {
         Discretization discretization;
-        discretization.refinements    = refinements;
-        discretization.wall_layers    = layers;
+        discretization.refinements    = row.refinements;
+        discretization.wall_layers    = row.wall_layers;
+        discretization.corner_layers  = row.corner_layers;
+        discretization.fluid_degree   = row.degree;
         discretization.degree         = 4;
-        discretization.spans_x        = 48;
-        discretization.spans_y        = 5;
+        discretization.spans_x        = row.spans_x;
+        discretization.spans_y        = row.spans_y;
         FluidStructureOptions options = default_options(fsi1);
         options.coupling.tolerance    = 1e-7;
         dealii::Timer           timer;
@@ -61,59 +65,20 @@ namespace
         const ConvergenceReport report = fsi.problem->advance(1.);
         const auto              tip    = fsi.tip();
         const auto              force  = fsi.drag_and_lift();
-        std::cout << "| " << refinements << " | " << layers << " | "
-                  << fsi.problem->flow().space().dofs().n_dofs()
-                  << " | p = 4, 48 x 5 | " << std::setprecision(7)
-                  << 1e5 * tip[0] << " | " << 1e4 * tip[1] << " | " << force[0]
-                  << " | " << force[1] << " | "
+        std::cout << "| Q" << row.degree << "/Q" << row.degree - 1 << " | "
+                  << row.refinements << " + " << row.wall_layers << " + "
+                  << row.corner_layers << " | "
+                  << fsi.problem->flow().space().dofs().n_dofs() << " | p = 4, "
+                  << row.spans_x << " x " << row.spans_y << " | "
+                  << std::setprecision(7) << 1e5 * tip[0] << " | "
+                  << 1e4 * tip[1] << " | " << force[0] << " | " << force[1]
+                  << " | "
                   << (report.converged ? std::to_string(report.iterations) :
                                          report.reason)
                   << " | " << std::setprecision(3) << timer.wall_time()
                   << " |\n"
                   << std::flush;
       }
-  }
-
-
-
-  int
-  swinging_flag(const Case           &data,
-                const Discretization &discretization,
-                const double          dt,
-                const double          end_time,
-                const std::string    &file_name)
-  {
-    TurekFsi fsi(data, discretization, default_options(data));
-    std::cout << fsi.problem->flow().space().dofs().n_dofs()
-              << " unknowns of the fluid\n"
-              << std::flush;
-    std::ofstream table(file_name);
-    table << "time,ux,uy,drag,lift,iterations,alpha\n" << std::setprecision(9);
-    const unsigned int n_steps      = std::lround(end_time / dt);
-    unsigned int       n_iterations = 0, maximum = 0;
-    dealii::Timer      timer;
-    for (unsigned int i = 1; i <= n_steps; ++i)
-      {
-        const ConvergenceReport report = fsi.problem->advance(dt);
-        if (!report.converged)
-          {
-            std::cerr << "t = " << i * dt << " s: " << report.reason
-                      << ", residual " << report.residual << '\n';
-            return 1;
-          }
-        n_iterations += report.iterations;
-        maximum          = std::max(maximum, report.iterations);
-        const auto tip   = fsi.tip();
-        const auto force = fsi.drag_and_lift();
-        table << i * dt << ',' << tip[0] << ',' << tip[1] << ',' << force[0]
-              << ',' << force[1] << ',' << report.iterations << ','
-              << fsi.problem->coupling().robin_coefficient() << '\n'
-              << std::flush;
-      }
-    std::cout << n_steps << " steps, " << double(n_iterations) / n_steps
-              << " coupling iterations a step, at most " << maximum << ", "
-              << timer.wall_time() << " s\n";
-    return 0;
   }
 
 
@@ -154,6 +119,58 @@ namespace
                     << std::setprecision(3) << double(n_iterations) / i
                     << " |\n"
                     << std::flush;
+      }
+  }
+
+
+
+  /** Pressure of a box that is filled and then shut: at rest it belongs to the
+   *  volume, however many steps have passed. */
+  void
+  shut_box(const unsigned int refinements, const double end_time)
+  {
+    using inflatable_box::InflatableBox;
+    const double shut = 0.5;
+    std::cout << "| dt s | t s | volume m^2 | p at (-1, 2.2) Pa: mean | half "
+                 "range | iterations a step |\n";
+    for (const double dt : {0.04, 0.02, 0.01})
+      {
+        InflatableBox      box(refinements,
+                          4,
+                          InflatableBox::default_options(),
+                          shut);
+        NavierStokes      &flow         = box.problem->flow();
+        const unsigned int n_steps      = std::lround(end_time / dt);
+        const unsigned int per_second   = std::lround(1. / dt);
+        unsigned int       n_iterations = 0;
+        double             sum = 0., lowest = INFINITY, highest = -INFINITY;
+        for (unsigned int i = 1; i <= n_steps; ++i)
+          {
+            const ConvergenceReport report = box.problem->advance(dt);
+            if (!report.converged)
+              {
+                std::cout << i * dt << ": " << report.reason << '\n';
+                break;
+              }
+            n_iterations += report.iterations;
+            const double p = flow.pressure_at(Point<2>(-1., 2.2 - 1e-9));
+            sum += p;
+            lowest  = std::min(lowest, p);
+            highest = std::max(highest, p);
+            if (i % per_second == 0)
+              {
+                std::cout << "| " << dt << " | " << std::setprecision(3)
+                          << i * dt << " | " << std::setprecision(12)
+                          << flow.volume() << " | " << std::setprecision(8)
+                          << sum / per_second << " | " << std::setprecision(3)
+                          << 0.5 * (highest - lowest) << " | "
+                          << double(n_iterations) / i << " |\n"
+                          << std::flush;
+                sum     = 0.;
+                lowest  = INFINITY;
+                highest = -INFINITY;
+              }
+          }
       }
   }
 
@@ -230,12 +247,13 @@ namespace
 
 
   void
-  added_mass()
+  added_mass(const std::vector<double> &ratios,
+             const std::vector<double> &time_steps)
   {
     std::cout << "| density of solid/fluid | dt s | D-N | D-N, Aitken | D-N, "
                  "IQN-ILS | R-N | R-N, Aitken | R-N, IQN-ILS |\n";
-    for (const double ratio : {0.1, 1., 10., 100.})
-      for (const double dt : {1e-3, 1e-4, 1e-5, 1e-6})
+    for (const double ratio : ratios)
+      for (const double dt : time_steps)
         {
           lined_channel::LinedChannel data;
           data.cells         = 20;
@@ -261,18 +279,50 @@ namespace
 
 
 
+  /** "DEGREE,REFINEMENTS,WALL_LAYERS,CORNER_LAYERS" of the flow. */
+  Discretization
+  discretization(const std::string &mesh)
+  {
+    const auto n = dealii::Utilities::string_to_int(
+      dealii::Utilities::split_string_list(mesh, ','));
+    Discretization discretization;
+    discretization.fluid_degree  = n.at(0);
+    discretization.refinements   = n.at(1);
+    discretization.wall_layers   = n.at(2);
+    discretization.corner_layers = n.at(3);
+    return discretization;
+  }
+
+
+
   int
   run(const std::vector<std::string> &arguments)
   {
     const std::string command = arguments.empty() ? "" : arguments[0];
     if (command == "fsi1")
       {
-        steady_flag();
+        std::vector<SteadyRow> rows = {{2, 2, 0, 0, 48, 5},
+                                       {2, 2, 2, 2, 48, 5},
+                                       {3, 1, 1, 2, 48, 5},
+                                       {3, 1, 2, 3, 48, 5},
+                                       {3, 2, 1, 3, 48, 5},
+                                       {3, 2, 1, 3, 72, 8},
+                                       {3, 2, 2, 4, 72, 8},
+                                       {4, 2, 1, 4, 72, 8}};
+        if (arguments.size() == 7)
+          {
+            std::vector<unsigned int> n;
+            for (unsigned int i = 1; i < arguments.size(); ++i)
+              n.push_back(std::stoul(arguments[i]));
+            rows = {{n[0], n[1], n[2], n[3], n[4], n[5]}};
+          }
+        steady_flag(rows);
         return 0;
       }
     if (command == "box")
       {
         inflate_box(2, 4.);
+        shut_box(1, 6.);
         return 0;
       }
     if (command == "pulse")
@@ -282,23 +332,26 @@ namespace
       }
     if (command == "added_mass")
       {
-        added_mass();
+        if (arguments.size() == 3)
+          added_mass({std::stod(arguments[1])}, {std::stod(arguments[2])});
+        else
+          added_mass({0.1, 1., 10., 100.}, {1e-3, 1e-4, 1e-5, 1e-6});
         return 0;
       }
-    if ((command == "fsi2" || command == "fsi3") && arguments.size() == 6)
+    if ((command == "fsi2" || command == "fsi3") &&
+        (arguments.size() == 4 || arguments.size() == 6))
       {
-        Discretization discretization;
-        discretization.refinements = std::stoul(arguments[1]);
-        discretization.wall_layers = std::stoul(arguments[2]);
-        return swinging_flag(command == "fsi2" ? fsi2 : fsi3,
-                             discretization,
-                             std::stod(arguments[3]),
-                             std::stod(arguments[4]),
-                             arguments[5]);
+        const Case  &data = command == "fsi2" ? fsi2 : fsi3;
+        SwingingFlag flag(data, discretization(arguments[1]), arguments[3]);
+        if (arguments.size() == 6)
+          flag.continue_from(
+            SwingingFlag(data, discretization(arguments[4]), arguments[5]));
+        return flag.run(StepPlan(arguments[2]));
       }
-    std::cerr << "usage: fsi_benchmarks fsi1|box|pulse|added_mass, or\n"
-                 "       fsi_benchmarks fsi2|fsi3 REFINEMENTS WALL_LAYERS DT "
-                 "END_TIME FILE.csv\n";
+    std::cerr
+      << "usage: fsi_benchmarks fsi1 [...]|box|pulse|added_mass [...], or\n"
+         "       fsi_benchmarks fsi2|fsi3 MESH STEPS FILE.csv [MESH "
+         "FILE.csv]\n";
     return 2;
   }
 } // namespace

@@ -57,6 +57,11 @@ namespace asperity
     std::vector<Vector>
     uniform_loads() const override;
 
+    /** Displacement of the whole mesh, by geometry_dofs() of the flow's space,
+     *  for one of the interface [m]. */
+    Vector
+    mesh_displacement(const Vector &displacement) const;
+
     /** Reference positions of the nodes of the interface [m]. */
     std::vector<dealii::Point<2>>
     positions() const;

@@ -78,6 +78,25 @@ namespace asperity
     const SplineSolid &
     solid() const;
 
+    /** The last accepted step with all that the next ones depend on, as
+     * numbers: a run continued from them repeats the one that it comes from.
+     * (Kept tangents are not saved; with them it repeats within the tolerance.)
+     */
+    std::vector<double>
+    save();
+
+    /** @throw InputError if the list is not one that save() made for the same
+     *  meshes */
+    void
+    load(const std::vector<double> &data);
+
+    /** Continues from the last accepted step of the same body in a fluid mesh
+     *  of other refinement or degree, see interpolate_to_mesh(): a flow
+     *  develops at less cost on a coarse mesh.
+     *  @throw InputError if the bodies have different numbers of unknowns */
+    void
+    continue_from(const FluidStructure &other);
+
   private:
     /** Builds the sides, when all terms are known. */
     void

@@ -35,11 +35,14 @@ namespace asperity
    * The channel of S. Turek, J. Hron (2006): 2.5 m long, and behind the
    * cylinder a flag, 0.02 m thick, with its tip at (0.6, 0.2) m, that is left
    * out of the mesh. Wall layers are those of cylinder and flag.
+   * @param n_corner_layers further refinements of the cells that touch a corner
+   *   of the flag, where the stress is singular
    */
   void
   make_channel_with_flag(dealii::Triangulation<2> &mesh,
                          const unsigned int        n_refinements,
-                         const unsigned int        n_wall_layers = 0);
+                         const unsigned int        n_wall_layers   = 0,
+                         const unsigned int        n_corner_layers = 0);
 } // namespace asperity
 
 #endif

@@ -1,0 +1,108 @@
+#include <asperity/base/errors.h>
+
+#include <gtest/gtest.h>
+
+#include "lined_channel.h"
+
+using namespace lined_channel;
+
+namespace
+{
+  /** A channel of few cells, after some steps. */
+  struct ChannelRun
+  {
+    explicit ChannelRun(const unsigned int degree = 2,
+                        const unsigned int cells  = 10)
+    {
+      LinedChannel data;
+      data.cells                    = cells;
+      FluidStructureOptions options = data.options();
+      options.fluid.degree = options.fluid.geometry_degree = degree;
+      problem = data.problem(mesh, options);
+    }
+
+    Tensor<1, 2>
+    advance(const unsigned int n_steps)
+    {
+      for (unsigned int i = 0; i < n_steps; ++i)
+        EXPECT_TRUE(problem->advance(1e-3).converged);
+      return problem->displacement({0.25, 0.});
+    }
+
+    dealii::Triangulation<2>        mesh;
+    std::unique_ptr<FluidStructure> problem;
+  };
+
+  std::string
+  message_of(FluidStructure &problem, const std::vector<double> &data)
+  {
+    try
+      {
+        problem.load(data);
+      }
+    catch (const InputError &error)
+      {
+        return error.what();
+      }
+    return "";
+  }
+} // namespace
+
+
+
+TEST(FluidStructure, ARunThatIsContinuedRepeatsTheOther)
+{
+  ChannelRun whole, rest;
+  whole.advance(4);
+  rest.problem->load(whole.problem->save());
+  EXPECT_EQ(whole.advance(4), rest.advance(4));
+}
+
+
+
+TEST(FluidStructure, RefusesACheckpointOfAnotherRun)
+{
+  ChannelRun whole, coarse(2, 8);
+  whole.advance(1);
+  std::vector<double> data = whole.problem->save();
+  EXPECT_NE(message_of(*coarse.problem, data).find("checkpoint has"),
+            std::string::npos);
+  data.resize(data.size() / 2);
+  EXPECT_NE(message_of(*coarse.problem, data).find("before it is complete"),
+            std::string::npos);
+}
+
+
+
+TEST(FluidStructure, ContinuesOnAnotherMesh)
+{
+  // The space of degree 3 holds that of degree 2, so the same body and flow go
+  // on, with the difference between the two discretizations; the pressure of
+  // the first step is disturbed, see interpolate_to_mesh().
+  ChannelRun coarse(2), fine(3);
+  coarse.advance(4);
+  fine.problem->continue_from(*coarse.problem);
+  EXPECT_EQ(fine.problem->flow().time(), coarse.problem->flow().time());
+  EXPECT_EQ(fine.problem->displacement({0.25, 0.}),
+            coarse.problem->displacement({0.25, 0.}));
+  const Tensor<1, 2> d = coarse.advance(2), d_fine = fine.advance(2);
+  EXPECT_LT((d - d_fine).norm(), 0.05 * d.norm());
+}
+
+
+
+TEST(FluidStructure, RefusesToContinueFromAnotherBody)
+{
+  ChannelRun a(2, 8), b(2, 10);
+  a.advance(1);
+  try
+    {
+      b.problem->continue_from(*a.problem);
+      FAIL();
+    }
+  catch (const InputError &error)
+    {
+      EXPECT_NE(std::string(error.what()).find("body to continue from"),
+                std::string::npos);
+    }
+}
