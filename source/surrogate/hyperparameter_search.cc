@@ -12,8 +12,8 @@ namespace asperity
   namespace
   {
     /** log s2, log l_i ..., log noise, in this order everywhere. */
-    std::vector<SmoothClamp>
-    clamps(const TrainingData &data, const HyperparameterBounds &bounds)
+    std::vector<LogarithmRange>
+    ranges_of(const TrainingData &data, const HyperparameterBounds &bounds)
     {
       const std::size_t n = data.y.size(), d = data.n_inputs;
       double            square = 0.;
@@ -22,15 +22,15 @@ namespace asperity
       if (square == 0.)
         square = 1.; // constant data: any scale does
 
-      const auto clamp =
+      const auto range =
         [](const double scale, const double a, const double b) {
-          return SmoothClamp{std::log(scale * a),
-                             std::log(scale * b),
-                             std::log(scale)};
+          return LogarithmRange{std::log(scale * a),
+                                std::log(scale * b),
+                                std::log(scale)};
         };
-      std::vector<SmoothClamp> result;
+      std::vector<LogarithmRange> result;
       result.push_back(
-        clamp(square, bounds.smallest_signal, bounds.largest_signal));
+        range(square, bounds.smallest_signal, bounds.largest_signal));
       for (std::size_t i = 0; i < d; ++i)
         {
           double lowest = data.x[i], highest = data.x[i];
@@ -40,26 +40,26 @@ namespace asperity
               highest = std::max(highest, data.x[j * d + i]);
             }
           const double extent = highest > lowest ? highest - lowest : 1.;
-          result.push_back(clamp(extent,
+          result.push_back(range(extent,
                                  bounds.smallest_length_scale,
                                  bounds.largest_length_scale));
         }
       result.push_back(
-        clamp(square, bounds.smallest_noise, bounds.largest_noise));
+        range(square, bounds.smallest_noise, bounds.largest_noise));
       return result;
     }
 
     /** The first one has middling length scales and little noise; the others
      *  are spread evenly over the likelier part of the box. */
     std::vector<std::vector<double>>
-    starting_points(const std::vector<SmoothClamp> &clamps,
-                    const unsigned int              n_restarts)
+    starting_points(const std::vector<LogarithmRange> &ranges,
+                    const unsigned int                 n_restarts)
     {
       RandomNumbers                    random(1);
       std::vector<std::vector<double>> result;
       for (unsigned int start = 0; start <= n_restarts; ++start)
         {
-          std::vector<double> u(clamps.size());
+          std::vector<double> u(ranges.size());
           for (std::size_t i = 0; i < u.size(); ++i)
             {
               const bool   is_signal = i == 0, is_noise = i + 1 == u.size();
@@ -74,10 +74,10 @@ namespace asperity
                                                0.5;
               const double share = random.uniform();
               u[i] =
-                clamps[i].unit +
+                ranges[i].unit +
                 (start == 0 ? std::log(first) :
                               std::log(low) + share * std::log(high / low));
-              u[i] = std::clamp(u[i], clamps[i].lower, clamps[i].upper);
+              u[i] = std::clamp(u[i], ranges[i].lower, ranges[i].upper);
             }
           result.push_back(u);
         }
@@ -104,21 +104,21 @@ namespace asperity
     }
 
     std::vector<std::string>
-    warnings_of(const std::vector<double>      &logarithms,
-                const std::vector<SmoothClamp> &clamps)
+    warnings_of(const std::vector<double>         &logarithms,
+                const std::vector<LogarithmRange> &ranges)
     {
       const auto at_lower = [&](const std::size_t i) {
-        return logarithms[i] < clamps[i].lower + 0.02;
+        return logarithms[i] < ranges[i].lower + 0.02;
       };
       const auto at_upper = [&](const std::size_t i) {
-        return logarithms[i] > clamps[i].upper - 0.02;
+        return logarithms[i] > ranges[i].upper - 0.02;
       };
       std::vector<std::string> result;
       if (at_lower(0) || at_upper(0))
         result.push_back("The signal variance is at its " +
                          std::string(at_lower(0) ? "lower" : "upper") +
                          " bound.");
-      const std::size_t last = clamps.size() - 1;
+      const std::size_t last = ranges.size() - 1;
       for (std::size_t i = 1; i < last; ++i)
         if (at_lower(i))
           result.push_back(
@@ -143,39 +143,41 @@ namespace asperity
                        const TrainingData                &data,
                        const HyperparameterSearchOptions &options)
   {
-    const std::vector<SmoothClamp> clamps_ = clamps(data, options.bounds);
-    const bool                     coarse = data.y.size() > options.subset_size;
-    const TrainingData             few =
+    const std::vector<LogarithmRange> ranges = ranges_of(data, options.bounds);
+    const bool         coarse = data.y.size() > options.subset_size;
+    const TrainingData few =
       coarse ? subset(data, options.subset_size) : TrainingData();
 
-    LikelihoodMaximizer on_few(kernel, coarse ? few : data, clamps_);
+    LikelihoodMaximizer on_few(kernel, coarse ? few : data, ranges);
     LikelihoodMaximum   best;
     for (const std::vector<double> &start :
-         starting_points(clamps_, options.n_restarts))
+         starting_points(ranges, options.n_restarts))
       {
-        LikelihoodMaximum found = on_few.climb(start, options.max_iterations);
+        LikelihoodMaximum found =
+          on_few.climb({start, 0., {}}, options.max_iterations);
         if (found.log_likelihood > best.log_likelihood)
           best = std::move(found);
       }
     unsigned int n_evaluations = coarse ? 0 : on_few.n_evaluations();
-    if (coarse && !best.place.empty())
+    if (coarse && !best.logarithms.empty())
       {
-        LikelihoodMaximizer on_all(kernel, data, clamps_);
-        best          = on_all.climb(best.place, options.max_iterations);
+        // the likelihood of more points has a maximum as much sharper
+        for (double &entry : best.inverse_hessian)
+          entry *= static_cast<double>(few.y.size()) /
+                   static_cast<double>(data.y.size());
+        LikelihoodMaximizer on_all(kernel, data, ranges);
+        best          = on_all.climb(best, options.max_iterations);
         n_evaluations = on_all.n_evaluations();
       }
-    if (best.place.empty())
+    if (best.logarithms.empty())
       throw ComputationError(
         "No hyperparameters were found: the covariance matrix of the " +
         std::to_string(data.y.size()) +
         " training points is not positive definite at any starting point.");
 
-    std::vector<double> logarithms(clamps_.size());
-    for (std::size_t i = 0; i < clamps_.size(); ++i)
-      logarithms[i] = clamps_[i].value(best.place[i]);
-    return {hyperparameters_of(logarithms),
+    return {hyperparameters_of(best.logarithms),
             best.log_likelihood,
             n_evaluations,
-            warnings_of(logarithms, clamps_)};
+            warnings_of(best.logarithms, ranges)};
   }
 } // namespace asperity

@@ -1,120 +1,71 @@
 #include "likelihood_maximizer.h"
 
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_multimin.h>
-
-#include <memory>
-
-#include "covariance_matrix.h"
+#include <algorithm>
+#include <cmath>
 
 namespace asperity
 {
   namespace
   {
-    /** The negative log likelihood per point as GSL wants it. GSL asks for
-     * value and gradient at the same place one after the other: the
-     * factorisation is kept in between. */
-    class Objective
-    {
-    public:
-      Objective(const KernelKind                kernel,
-                const TrainingData             &data,
-                const std::vector<SmoothClamp> &clamps)
-        : data(data)
-        , clamps(clamps)
-        , covariance(kernel, data)
-        , point(clamps.size(), std::numeric_limits<double>::quiet_NaN())
-      {}
-
-      double
-      value(const gsl_vector *u)
-      {
-        move_to(u);
-        return is_factorized ? -covariance.log_likelihood() * scale() :
-                               GSL_POSINF;
-      }
-
-      void
-      gradient(const gsl_vector *u, gsl_vector *result)
-      {
-        move_to(u);
-        gsl_vector_set_zero(result);
-        if (!is_factorized)
-          return;
-        const std::vector<double> values = covariance.log_likelihood_gradient();
-        for (std::size_t i = 0; i < clamps.size(); ++i)
-          gsl_vector_set(result,
-                         i,
-                         -values[i] * scale() * clamps[i].slope(point[i]));
-      }
-
-      unsigned int n_evaluations = 0;
-
-    private:
-      double
-      scale() const
-      {
-        return 1. / static_cast<double>(data.y.size());
-      }
-
-      void
-      move_to(const gsl_vector *u)
-      {
-        bool same = true;
-        for (std::size_t i = 0; i < clamps.size(); ++i)
-          same = same && gsl_vector_get(u, i) == point[i];
-        if (same)
-          return;
-        std::vector<double> logarithms(clamps.size());
-        for (std::size_t i = 0; i < clamps.size(); ++i)
-          {
-            point[i]      = gsl_vector_get(u, i);
-            logarithms[i] = clamps[i].value(point[i]);
-          }
-        ++n_evaluations;
-        // otherwise as bad as can be: the line search turns back
-        is_factorized = covariance.factorize(hyperparameters_of(logarithms));
-      }
-
-      const TrainingData             &data;
-      const std::vector<SmoothClamp> &clamps;
-      CovarianceMatrix                covariance;
-      std::vector<double>             point;
-      bool                            is_factorized = false;
-    };
+    /** Of any logarithm in one step: a factor of 20. */
+    constexpr double largest_step = 3.;
 
     double
-    gsl_value(const gsl_vector *u, void *objective)
+    product(const std::vector<double> &a, const std::vector<double> &b)
     {
-      return static_cast<Objective *>(objective)->value(u);
+      double sum = 0.;
+      for (std::size_t i = 0; i < a.size(); ++i)
+        sum += a[i] * b[i];
+      return sum;
     }
 
+    std::vector<double>
+    difference(const std::vector<double> &a, const std::vector<double> &b)
+    {
+      std::vector<double> result(a);
+      for (std::size_t i = 0; i < a.size(); ++i)
+        result[i] -= b[i];
+      return result;
+    }
+
+    std::vector<double>
+    scaled_identity(const std::size_t n, const double scale)
+    {
+      std::vector<double> h(n * n, 0.);
+      for (std::size_t i = 0; i < n; ++i)
+        h[i * n + i] = scale;
+      return h;
+    }
+
+    /** Without knowledge of second derivatives: a first step of length one. */
+    std::vector<double>
+    steepest_descent(const std::vector<double> &gradient)
+    {
+      const double length = std::sqrt(product(gradient, gradient));
+      return scaled_identity(gradient.size(), 1. / std::max(length, 1e-10));
+    }
+
+    /** H <- (1 - s y^T / s.y) H (1 - y s^T / s.y) + s s^T / s.y, unless the
+     *  curvature along s is not positive. */
     void
-    gsl_gradient(const gsl_vector *u, void *objective, gsl_vector *result)
+    update_inverse_hessian(const std::vector<double> &s,
+                           const std::vector<double> &y,
+                           std::vector<double>       &h)
     {
-      static_cast<Objective *>(objective)->gradient(u, result);
+      const std::size_t n  = s.size();
+      const double      sy = product(s, y);
+      if (sy <= 1e-10 * std::sqrt(product(s, s) * product(y, y)))
+        return;
+      std::vector<double> hy(n, 0.);
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < n; ++j)
+          hy[i] += h[i * n + j] * y[j];
+      const double weight = 1. + product(y, hy) / sy;
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < n; ++j)
+          h[i * n + j] +=
+            (weight * s[i] * s[j] - hy[i] * s[j] - s[i] * hy[j]) / sy;
     }
-
-    void
-    gsl_both(const gsl_vector *u,
-             void             *objective,
-             double           *value,
-             gsl_vector       *gradient)
-    {
-      *value = gsl_value(u, objective);
-      gsl_gradient(u, objective, gradient);
-    }
-
-    /** GSL's own handler ends the program. */
-    struct QuietGsl
-    {
-      gsl_error_handler_t *const previous = gsl_set_error_handler_off();
-
-      ~QuietGsl()
-      {
-        gsl_set_error_handler(previous);
-      }
-    };
   } // namespace
 
 
@@ -133,12 +84,11 @@ namespace asperity
 
 
   LikelihoodMaximizer::LikelihoodMaximizer(
-    const KernelKind                kernel,
-    const TrainingData             &data,
-    const std::vector<SmoothClamp> &clamps)
-    : kernel(kernel)
-    , data(data)
-    , clamps(clamps)
+    const KernelKind                   kernel,
+    const TrainingData                &data,
+    const std::vector<LogarithmRange> &ranges)
+    : ranges(ranges)
+    , covariance(kernel, data)
   {}
 
 
@@ -151,43 +101,125 @@ namespace asperity
 
 
 
-  LikelihoodMaximum
-  LikelihoodMaximizer::climb(const std::vector<double> &start,
-                             const unsigned int         max_iterations)
+  void
+  LikelihoodMaximizer::evaluate_value(Point &point)
   {
-    const QuietGsl quiet;
-    Objective      objective(kernel, data, clamps);
-    using Vector = std::unique_ptr<gsl_vector, decltype(&gsl_vector_free)>;
-    using Minimizer =
-      std::unique_ptr<gsl_multimin_fdfminimizer,
-                      decltype(&gsl_multimin_fdfminimizer_free)>;
-    const Vector u(gsl_vector_alloc(start.size()), gsl_vector_free);
-    std::copy(start.begin(), start.end(), u->data);
-    if (!std::isfinite(objective.value(u.get())))
+    ++n_evaluations_;
+    // otherwise as bad as can be: the line search turns back
+    if (covariance.factorize(hyperparameters_of(point.place)))
+      point.value = -covariance.log_likelihood();
+    else
+      point.value = std::numeric_limits<double>::infinity();
+  }
+
+
+
+  void
+  LikelihoodMaximizer::evaluate_gradient(Point &point)
+  {
+    point.gradient = covariance.log_likelihood_gradient();
+    for (double &derivative : point.gradient)
+      derivative *= -1.;
+  }
+
+
+
+  std::vector<double>
+  LikelihoodMaximizer::direction(const Point               &point,
+                                 const std::vector<double> &h) const
+  {
+    const std::size_t n       = ranges.size();
+    const auto        is_held = [&](const std::size_t i) {
+      return (point.place[i] <= ranges[i].lower && point.gradient[i] > 0.) ||
+             (point.place[i] >= ranges[i].upper && point.gradient[i] < 0.);
+    };
+    std::vector<double> result(n, 0.);
+    double              longest = 0.;
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        for (std::size_t j = 0; j < n; ++j)
+          if (!is_held(i) && !is_held(j))
+            result[i] -= h[i * n + j] * point.gradient[j];
+        longest = std::max(longest, std::abs(result[i]));
+      }
+    if (longest > largest_step)
+      for (double &component : result)
+        component *= largest_step / longest;
+    return result;
+  }
+
+
+
+  bool
+  LikelihoodMaximizer::search_line(const Point               &from,
+                                   const std::vector<double> &direction,
+                                   Point                     &to)
+  {
+    double t = 1.;
+    for (unsigned int trial = 0; trial < 20; ++trial)
+      {
+        to.place = from.place;
+        for (std::size_t i = 0; i < ranges.size(); ++i)
+          to.place[i] = std::clamp(from.place[i] + t * direction[i],
+                                   ranges[i].lower,
+                                   ranges[i].upper);
+        evaluate_value(to);
+        const double slope =
+          product(from.gradient, difference(to.place, from.place));
+        if (to.value <= from.value + 1e-4 * slope)
+          return true;
+        // to the minimum of the parabola through what is known, if that is wise
+        const double excess = to.value - from.value - slope;
+        const double shrink =
+          std::isfinite(excess) && excess > 0. ? -0.5 * slope / excess : 0.1;
+        t *= std::clamp(shrink, 0.1, 0.5);
+      }
+    return false;
+  }
+
+
+
+  LikelihoodMaximum
+  LikelihoodMaximizer::climb(const LikelihoodMaximum &start,
+                             const unsigned int       max_iterations)
+  {
+    Point point;
+    point.place = start.logarithms;
+    evaluate_value(point);
+    if (!std::isfinite(point.value))
       return {};
+    evaluate_gradient(point);
 
-    const Minimizer minimizer(
-      gsl_multimin_fdfminimizer_alloc(gsl_multimin_fdfminimizer_vector_bfgs2,
-                                      start.size()),
-      gsl_multimin_fdfminimizer_free);
-    gsl_multimin_function_fdf function{
-      gsl_value, gsl_gradient, gsl_both, start.size(), &objective};
-    gsl_multimin_fdfminimizer_set(
-      minimizer.get(), &function, u.get(), 0.5, 0.3);
-
-    // A step that gains less than 1e-4 in the log likelihood is the last one:
-    // hyperparameters within one of the maximum are about as likely.
-    const double n    = static_cast<double>(data.y.size());
-    double       last = minimizer->f;
+    std::vector<double> h        = start.inverse_hessian;
+    bool                is_fresh = h.empty();
+    if (is_fresh)
+      h = steepest_descent(point.gradient);
     for (unsigned int i = 0; i < max_iterations; ++i)
       {
-        if (gsl_multimin_fdfminimizer_iterate(minimizer.get()) != GSL_SUCCESS ||
-            n * (last - minimizer->f) < 1e-4)
+        const std::vector<double> step = direction(point, h);
+        // What a quadratic model expects to gain: hyperparameters within one
+        // of the maximum of the log likelihood are about as likely.
+        const double expected = -0.5 * product(point.gradient, step);
+        Point        next;
+        if (!is_fresh && expected < 1e-4)
           break;
-        last = minimizer->f;
+        if (!search_line(point, step, next))
+          {
+            if (is_fresh)
+              break;
+            is_fresh = true;
+            h        = steepest_descent(point.gradient);
+            continue;
+          }
+        evaluate_gradient(next);
+        const std::vector<double> s = difference(next.place, point.place),
+                                  y = difference(next.gradient, point.gradient);
+        if (is_fresh && product(s, y) > 0.)
+          h = scaled_identity(s.size(), product(s, y) / product(y, y));
+        is_fresh = is_fresh && product(s, y) <= 0.;
+        update_inverse_hessian(s, y, h);
+        point = std::move(next);
       }
-    n_evaluations_ += objective.n_evaluations;
-    const gsl_vector *const x = minimizer->x;
-    return {{x->data, x->data + start.size()}, -n * minimizer->f};
+    return {point.place, -point.value, h};
   }
 } // namespace asperity

@@ -52,8 +52,7 @@ namespace asperity
   /**
    * The hyperparameters with the largest likelihood (Rasmussen and Williams
    * 2006, equations 5.8 and 5.9): BFGS on their logarithms with analytic
-   * gradients from several starts; each logarithm passes through a smooth clamp
-   * to its bounds. Deterministic.
+   * gradients, within bounds, from several starts. Deterministic.
    *
    * @throws ComputationError if no start finds a likelihood
    */
