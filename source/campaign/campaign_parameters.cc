@@ -109,7 +109,8 @@ namespace asperity
                        {"Matern 5/2", KernelKind::matern_5_2}},
                       "Covariance of the Gaussian process: how smooth the law "
                       "is taken to be, infinitely, once or twice "
-                      "differentiable.");
+                      "differentiable. `Matern 3/2` has the most honest band "
+                      "where asperities come into contact one by one.");
     parameters.choice("Output scale",
                       output_scale,
                       {{"logarithmic", Scale::logarithmic},

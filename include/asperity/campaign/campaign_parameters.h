@@ -50,7 +50,7 @@ namespace asperity
   struct LawParameters
   {
     LawOutput  output                    = LawOutput::mu;
-    KernelKind kernel                    = KernelKind::matern_5_2;
+    KernelKind kernel                    = KernelKind::matern_3_2;
     Scale      output_scale              = Scale::logarithmic;
     double     largest_trusted_deviation = 0.05;
 
