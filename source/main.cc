@@ -5,6 +5,7 @@
 #include <asperity/base/version.h>
 #include <asperity/campaign/commands.h>
 #include <asperity/contact_zone/commands.h>
+#include <asperity/surrogate/commands.h>
 #include <asperity/topography/commands.h>
 
 #include <deal.II/base/exceptions.h>
@@ -104,7 +105,13 @@ namespace
        on_file(topography_report)},
       {"characterize FILE.prm",
        "run or resume a campaign, train the friction law",
-       on_file(characterize)}};
+       on_file(characterize)},
+      {"predict LAW -p P -v V -T T",
+       "friction coefficient of a trained law, with its certainty",
+       predict_friction},
+      {"export LAW DIRECTORY",
+       "a trained law for Abaqus, DEFORM, LS-DYNA, C and Fortran",
+       export_friction_law}};
     return table;
   }
 

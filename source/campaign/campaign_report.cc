@@ -2,6 +2,8 @@
 #include <asperity/base/version.h>
 #include <asperity/campaign/campaign_report.h>
 #include <asperity/postprocess/summary.h>
+#include <asperity/surrogate/export_law.h>
+#include <asperity/surrogate/power_law.h>
 #include <asperity/surrogate/sensitivity.h>
 
 #include <nlohmann/json.hpp>
@@ -51,6 +53,27 @@ namespace asperity
       });
     }
 
+    /** The laws of practice, fitted to the same runs. */
+    json
+    compare_power_laws(const FrictionLaw &law, std::ostream &out)
+    {
+      json       result = json::object();
+      const auto tell   = [&](const std::string &name, const PowerLaw &power) {
+        const std::string text = to_string(power, law.description().inputs);
+        result[name]           = {{"law", text},
+                                  {"mean_relative_error", power.mean_relative_error},
+                                  {"leave_one_out_error", power.leave_one_out_error}};
+        out << "  " << text << ": " << percent(power.leave_one_out_error)
+            << "\n";
+      };
+      out << "Laws of practice, fitted to the same runs, and their error:\n";
+      tell("power law", fit_power_law(law));
+      for (const LawInput &input : law.description().inputs)
+        if (input.symbol == "v")
+          tell("velocity law", fit_velocity_law(law));
+      return result;
+    }
+
     json
     report_sensitivity(const std::string &directory,
                        const FrictionLaw &law,
@@ -72,6 +95,26 @@ namespace asperity
               << percent(indices[i].ST) << "\n";
         }
       return result;
+    }
+
+    json
+    write_exports(const CampaignParameters &parameters,
+                  const FrictionLaw        &law,
+                  std::ostream             &out)
+    {
+      const std::string directory = parameters.directory + "/export";
+      ExportOptions     options;
+      options.grid.tolerance    = parameters.exports.table_tolerance;
+      const ExportReport report = export_law(law, directory, options);
+      json               files  = json::array();
+      for (const ExportedFile &file : report.files)
+        files.push_back(file.name);
+      out << "For other programs: " << report.files.size() << " files in "
+          << directory << ", tables within " << percent(report.table_error)
+          << " of the law\n";
+      for (const std::string &warning : report.warnings)
+        out << "Warning: " << warning << "\n";
+      return {{"files", files}, {"table_error", report.table_error}};
     }
 
     json
@@ -153,9 +196,12 @@ namespace asperity
             {"failed", n_failed}};
     summary["law"]         = describe_law(law);
     summary["test"]        = to_json(test);
+    summary["power_laws"]  = compare_power_laws(law, out);
     summary["sensitivity"] = report_sensitivity(directory, law, out);
-    summary["cost"]        = {{"core_seconds", results.seconds()},
-                              {"session_seconds", wall_time}};
+    if (parameters.exports.write)
+      summary["export"] = write_exports(parameters, law, out);
+    summary["cost"] = {{"core_seconds", results.seconds()},
+                       {"session_seconds", wall_time}};
 
     std::vector<std::string> warnings = results.warnings();
     warnings.insert(warnings.end(),

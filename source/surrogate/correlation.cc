@@ -15,6 +15,32 @@
 
 namespace asperity
 {
+  namespace
+  {
+    /** (exp(-a) - 1 + a) / a^2 for a < 1/2, where its Taylor series of 14 terms
+     *  is exact to rounding. */
+    inline double
+    exponential_rest(const double a)
+    {
+      double sum = 1. / 1307674368000.; // 1/15!
+      sum        = 1. / 87178291200. - a * sum;
+      sum        = 1. / 6227020800. - a * sum;
+      sum        = 1. / 479001600. - a * sum;
+      sum        = 1. / 39916800. - a * sum;
+      sum        = 1. / 3628800. - a * sum;
+      sum        = 1. / 362880. - a * sum;
+      sum        = 1. / 40320. - a * sum;
+      sum        = 1. / 5040. - a * sum;
+      sum        = 1. / 720. - a * sum;
+      sum        = 1. / 120. - a * sum;
+      sum        = 1. / 24. - a * sum;
+      sum        = 1. / 6. - a * sum;
+      return 0.5 - a * sum;
+    }
+  } // namespace
+
+
+
   namespace correlation
   {
     /** Where exp(-a) is zero for all purposes, before vectorised versions of
@@ -66,6 +92,49 @@ namespace asperity
           {
             const double a = std::min(std::sqrt(5. * r2[j]), largest_exponent);
             values[j]      = variance * (1. + a + a * a / 3.) * std::exp(-a);
+          }
+    }
+
+
+
+    // With R(a) = exponential_rest(a), exp(-a) = 1 - a + a^2 R:
+    // exp(-a) - 1 = a (a R - 1),
+    // (1 + a) exp(-a) - 1 = a^2 ((1 + a) R - 1),
+    // (1 + a + a^2/3) exp(-a) - 1 = a^2 ((1 + a + a^2/3) R - 2/3 - a/3).
+    // Both branches are computed, so that there is no jump in the loop.
+    ASPERITY_ALL_VECTOR_WIDTHS
+    void
+    deficits(const KernelKind  kernel,
+             const double      variance,
+             const std::size_t n,
+             const double     *r2,
+             double           *deficits)
+    {
+      if (kernel == KernelKind::rbf)
+        for (std::size_t j = 0; j < n; ++j)
+          {
+            const double a     = std::min(0.5 * r2[j], largest_exponent);
+            const double small = a * (a * exponential_rest(a) - 1.);
+            const double large = std::exp(-a) - 1.;
+            deficits[j]        = variance * (a < 0.5 ? small : large);
+          }
+      else if (kernel == KernelKind::matern_3_2)
+        for (std::size_t j = 0; j < n; ++j)
+          {
+            const double a = std::min(std::sqrt(3. * r2[j]), largest_exponent);
+            const double small = a * a * ((1. + a) * exponential_rest(a) - 1.);
+            const double large = (1. + a) * std::exp(-a) - 1.;
+            deficits[j]        = variance * (a < 0.5 ? small : large);
+          }
+      else
+        for (std::size_t j = 0; j < n; ++j)
+          {
+            const double a = std::min(std::sqrt(5. * r2[j]), largest_exponent);
+            const double p = 1. + a + a * a / 3.;
+            const double small =
+              a * a * (p * exponential_rest(a) - (2. + a) / 3.);
+            const double large = p * std::exp(-a) - 1.;
+            deficits[j]        = variance * (a < 0.5 ? small : large);
           }
     }
 

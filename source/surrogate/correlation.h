@@ -34,6 +34,19 @@ namespace asperity
            const double     *r2,
            double           *values);
 
+    /**
+     * deficits[j] = variance (f(r_j) - 1), to full accuracy also where f is
+     * close to 1: with long length scales the mean is a sum of huge terms that
+     * nearly cancel, and without the 1 in f they are smaller by orders of
+     * magnitude. r2 and deficits may be the same.
+     */
+    void
+    deficits(const KernelKind  kernel,
+             const double      variance,
+             const std::size_t n,
+             const double     *r2,
+             double           *deficits);
+
     /** slopes[j] = -2 variance df/d(r^2), finite also at r = 0. */
     void
     slopes(const KernelKind  kernel,

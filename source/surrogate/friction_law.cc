@@ -9,10 +9,6 @@ namespace asperity
 {
   namespace
   {
-    /** Of the range: what a conversion of units may cost a point on the edge.
-     */
-    constexpr double edge_tolerance = 1e-9;
-
     double
     transform(const Scale scale, const double x)
     {
@@ -81,7 +77,7 @@ namespace asperity
           {
             const LawInput &input = description.inputs[i];
             const double    x     = data.x[j * d + i],
-                         margin = edge_tolerance * (input.upper - input.lower);
+                         margin = FrictionLaw::edge_tolerance * (input.upper - input.lower);
             if (!(x >= input.lower - margin && x <= input.upper + margin))
               throw InputError(origin + ": The input " + in_quotes(input.name) +
                                " of point number " + std::to_string(j + 1) +

@@ -65,6 +65,17 @@ namespace asperity
           std::to_string(data.n_inputs) +
           " positive length scales and a noise variance that is not negative.");
     }
+
+    /** s2 sum over j of alpha_j; these terms nearly cancel. */
+    double
+    sum_of_terms(const std::vector<double> &alpha,
+                 const double               signal_variance)
+    {
+      long double sum = 0.;
+      for (const double a : alpha)
+        sum += a;
+      return static_cast<double>(sum * signal_variance);
+    }
   } // namespace
 
 
@@ -94,8 +105,9 @@ namespace asperity
         " training points is not positive definite, even with 1e-4 of the "
         "signal variance added to its diagonal.");
     alpha_          = covariance.alpha();
+    sum_of_weights_ = sum_of_terms(alpha_, hyperparameters.signal_variance);
     jitter_         = covariance.jitter();
-    inverse_factor  = covariance.packed_inverse_factor();
+    inverse_factor_  = covariance.packed_inverse_factor();
     coordinates     = scaled_coordinates(data, hyperparameters.length_scales);
     log_likelihood_ = covariance.log_likelihood();
   }
@@ -136,7 +148,7 @@ namespace asperity
     std::array<double, block_size> k;
     for (std::size_t point = 0; point < n_points; ++point)
       {
-        double sum = 0.;
+        double sum = sum_of_weights_;
         if (!scale(x + point * d, scaled.data()))
           sum = std::numeric_limits<double>::quiet_NaN();
         for (std::size_t begin = 0; begin < n; begin += block_size)
@@ -144,11 +156,11 @@ namespace asperity
             const std::size_t size = std::min(block_size, n - begin);
             correlation::squared_distances(
               size, d, coordinates.data() + begin, n, scaled.data(), k.data());
-            correlation::values(kernel_,
-                                hyperparameters_.signal_variance,
-                                size,
-                                k.data(),
-                                k.data());
+            correlation::deficits(kernel_,
+                                  hyperparameters_.signal_variance,
+                                  size,
+                                  k.data(),
+                                  k.data());
             sum += correlation::dot(size, k.data(), alpha_.data() + begin);
           }
         result[point] = sum;
@@ -220,14 +232,17 @@ namespace asperity
       }
     correlation::squared_distances(
       n, d, coordinates.data(), n, work.data(), r2);
-    correlation::values(kernel_, hyperparameters_.signal_variance, n, r2, k);
+    correlation::deficits(kernel_, hyperparameters_.signal_variance, n, r2, k);
+    const double mean = sum_of_weights_ + correlation::dot(n, k, alpha_.data());
+    for (std::size_t j = 0; j < n; ++j)
+      k[j] += hyperparameters_.signal_variance;
     if (gradient != nullptr)
       gradient_from_distances(work.data(), r2, gradient);
     *variance = std::max(
       0.,
       hyperparameters_.signal_variance -
-        correlation::triangular_norm_square(n, inverse_factor.data(), k));
-    return correlation::dot(n, k, alpha_.data());
+        correlation::triangular_norm_square(n, inverse_factor_.data(), k));
+    return mean;
   }
 
 
@@ -258,7 +273,7 @@ namespace asperity
   {
     const std::size_t   n = alpha_.size();
     std::vector<double> diagonal(n, 0.);
-    const double       *entry = inverse_factor.data();
+    const double       *entry = inverse_factor_.data();
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j <= i; ++j, ++entry)
         diagonal[j] += *entry * *entry;
@@ -307,5 +322,21 @@ namespace asperity
   GaussianProcess::alpha() const
   {
     return alpha_;
+  }
+
+
+
+  double
+  GaussianProcess::sum_of_weights() const
+  {
+    return sum_of_weights_;
+  }
+
+
+
+  const std::vector<double> &
+  GaussianProcess::inverse_factor() const
+  {
+    return inverse_factor_;
   }
 } // namespace asperity

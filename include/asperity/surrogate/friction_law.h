@@ -116,6 +116,10 @@ namespace asperity
   class FrictionLaw
   {
   public:
+    /** Part of an input's range by which a point may miss the box and still be
+     *  inside: what a conversion of units may cost it. */
+    static constexpr double edge_tolerance = 1e-9;
+
     /**
      * Trains the hyperparameters by maximum likelihood.
      * @param x n x d inputs in SI @param y n values

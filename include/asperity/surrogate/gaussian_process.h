@@ -110,6 +110,18 @@ namespace asperity
     const std::vector<double> &
     alpha() const;
 
+    /**
+     * s2 sum over j of alpha_j. The mean is computed as this plus the sum of
+     * alpha_j s2 (f(r_j) - 1): with long length scales the terms alpha_j s2
+     * nearly cancel, and apart from each other they cost less accuracy.
+     */
+    double
+    sum_of_weights() const;
+
+    /** The lower triangle of L^-1, row by row without gaps. */
+    const std::vector<double> &
+    inverse_factor() const;
+
   private:
     /** scaled_i = x_i / l_i @return whether there is no NaN among them */
     bool
@@ -129,8 +141,9 @@ namespace asperity
     /** The lower triangle of L^-1 row by row: |L^-1 k|^2 then reads n^2/2
      *  numbers once, in order, and without the dependence of one row on all
      *  before it that a triangular solve has. */
-    std::vector<double> inverse_factor;
+    std::vector<double> inverse_factor_;
     double              log_likelihood_ = 0.;
+    double              sum_of_weights_ = 0.;
     double              jitter_         = 0.;
   };
 } // namespace asperity

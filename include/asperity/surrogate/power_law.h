@@ -1,0 +1,63 @@
+#ifndef asperity_surrogate_power_law_h
+#define asperity_surrogate_power_law_h
+
+#include <asperity/surrogate/friction_law.h>
+
+#include <string>
+#include <vector>
+
+namespace asperity
+{
+  /**
+   * The empirical laws that machining knows, fitted to the runs of a friction
+   * law so that both can be compared: by least squares in the logarithms. Both
+   * are products of powers; all numbers are SI, temperatures in K.
+   */
+  struct PowerLaw
+  {
+    /** One factor max(x, floor)^exponent for each input of the friction law. */
+    double              coefficient = 0.;
+    std::vector<double> exponents;
+    std::vector<double> floors;
+
+    /** Mean of |error| / value over the runs that it was fitted to, and the
+     *  same with each run left out of the fit that predicts it; the latter is
+     *  the counterpart of FrictionLawDescription::leave_one_out_error. */
+    double mean_relative_error = 0.;
+    double leave_one_out_error = 0.;
+
+    /** @param x an entry for each input */
+    double
+    operator()(const double *x) const;
+  };
+
+  /**
+   * mu = c p^a v^b T^d, one factor an input, as the user routines of practice
+   * have it (Filzek's law in the VFRICTION routine of RWTH Aachen's WZL). The
+   * floors, which keep it finite as p and v go to 0, are the lower ends of the
+   * ranges. An input whose range is not positive gets the exponent 0.
+   *
+   * @throws InputError if a value is not positive, or if there are fewer runs
+   *   than two more than exponents, or if the runs do not determine them
+   */
+  PowerLaw
+  fit_power_law(const FrictionLaw &law);
+
+  /**
+   * The law of section 2.1 of the dissertation, over the velocity alone: mu is
+   * constant up to a velocity v_0 and a power function beyond it (dry, there
+   * with v_0 = 46 m/min); without the constant part if the runs want none (its
+   * lubricated law). v_0, the floor of the velocity, is the one of 200 over the
+   * range that fits best.
+   *
+   * @throws InputError as fit_power_law(), or if no input has the symbol v
+   */
+  PowerLaw
+  fit_velocity_law(const FrictionLaw &law);
+
+  /** "mu = 2.31 p^-0.12 v^-0.05 T^-0.2 (SI), p >= 3e+08, ..." */
+  std::string
+  to_string(const PowerLaw &power_law, const std::vector<LawInput> &inputs);
+} // namespace asperity
+
+#endif
