@@ -37,23 +37,22 @@ namespace asperity
     std::string
     data(const ExportedNumbers &numbers)
     {
-      std::string text =
-        "/* 1/14!, 1/13!, ..., 1/2! */\n" +
-        array("taylor",
-              "13",
-              taylor_coefficients()) +
-        "#define N " + std::to_string(numbers.weights.size()) +
+      std::string text = "/* 1/14!, 1/13!, ..., 1/2! */\n" +
+                         array("taylor", "13", taylor_coefficients()) +
+                         "#define N " + std::to_string(numbers.weights.size()) +
                          " /* training runs */\n\n"
                          "/* their scaled inputs and weights */\n";
       for (const auto &c : numbers.coordinates)
         text += array("points_" + argument(c), "N", c.points);
       text += array("weights", "N", numbers.weights);
       if (!numbers.rest.empty())
-        text += "/* squared distance along the inputs that are held fixed */\n" +
-                array("rest", "N", numbers.rest);
+        text +=
+          "/* squared distance along the inputs that are held fixed */\n" +
+          array("rest", "N", numbers.rest);
       if (!numbers.B.empty())
-        text += "/* inverse triangular factor of the covariance, row by row */\n" +
-                array("B", "N * (N + 1) / 2", numbers.B);
+        text +=
+          "/* inverse triangular factor of the covariance, row by row */\n" +
+          array("B", "N * (N + 1) / 2", numbers.B);
       return text;
     }
 
@@ -64,8 +63,7 @@ namespace asperity
       const std::string x = argument(c);
       std::string       text =
         "/* what the kernel sees of " + x + ", and its derivative */\n" +
-        "static double\nscaled_" + x + "(double " + x +
-        ", double *slope)\n{\n";
+        "static double\nscaled_" + x + "(double " + x + ", double *slope)\n{\n";
       const std::string span = c_number(c.span), length = c_number(c.length);
       // tiny numbers have no inverse
       if (c.logarithmic)
@@ -74,9 +72,9 @@ namespace asperity
                 " = " + c_number(c.lower) + ";\n  return (log(" + x + ") - (" +
                 c_number(c.origin) + ")) / " + span + " / " + length + ";\n";
       else
-        text += "  *slope = 1. / (" + span + " * " + length +
-                ");\n  return (" + x + " - (" + c_number(c.origin) + ")) / " +
-                span + " / " + length + ";\n";
+        text += "  *slope = 1. / (" + span + " * " + length + ");\n  return (" +
+                x + " - (" + c_number(c.origin) + ")) / " + span + " / " +
+                length + ";\n";
       return text + "}\n\n";
     }
 
@@ -133,8 +131,7 @@ namespace asperity
              "  if (a >= 700.) /* too far away to matter */\n"
              "    {\n      *slope = 0.;\n      return -1.;\n    }\n"
              "  e = exp(-a);\n  *slope = " +
-             kernel.slope + ";\n  if (!(a < 0.5))\n    return " +
-             kernel.large +
+             kernel.slope + ";\n  if (!(a < 0.5))\n    return " + kernel.large +
              ";\n"
              "  /* (exp(-a) - 1 + a) / a^2 by its Taylor series */\n"
              "  for (i = 0; i < 13; ++i)\n"
@@ -149,8 +146,8 @@ namespace asperity
       for (const auto &c : numbers.coordinates)
         {
           const std::string i = std::to_string(c.index), x = argument(c);
-          text += "  s[" + i + "] = scaled_" + x + "(" + x + ", &ds[" + i +
-                  "]);\n";
+          text +=
+            "  s[" + i + "] = scaled_" + x + "(" + x + ", &ds[" + i + "]);\n";
         }
       return text;
     }
@@ -185,7 +182,7 @@ namespace asperity
     std::string
     mean_function(const ExportedNumbers &numbers)
     {
-      const bool logarithmic = numbers.output_scale == Scale::logarithmic;
+      const bool  logarithmic = numbers.output_scale == Scale::logarithmic;
       std::string text =
         "double\ntribmu(double p, double v, double T, double dmu[3], "
         "int *inside)\n{\n"
@@ -203,10 +200,9 @@ namespace asperity
           text += "      g[" + i + "] += slope * (points_" + argument(c) +
                   "[j] - s[" + i + "]);\n";
         }
-      const std::string value = c_number(numbers.offset) + " + " +
-                                c_number(numbers.factor) + " * m";
-      text += "    }\n  mu = " +
-              (logarithmic ? "exp(" + value + ")" : value) +
+      const std::string value =
+        c_number(numbers.offset) + " + " + c_number(numbers.factor) + " * m";
+      text += "    }\n  mu = " + (logarithmic ? "exp(" + value + ")" : value) +
               ";\n  if (dmu)\n    for (j = 0; j < 3; ++j)\n      dmu[j] = " +
               (logarithmic ? "mu * " : "") + c_number(numbers.factor) +
               " * g[j] * ds[j];\n"
@@ -234,7 +230,8 @@ namespace asperity
         "  for (i = 0; i < N; ++i)\n    {\n      double product = 0.;\n"
         "      for (j = 0; j <= i; ++j)\n        product += *b++ * f[j];\n"
         "      norm += product * product;\n    }\n"
-        "  sigma = norm >= 1. ? 0. : " + c_number(numbers.factor) + " * sqrt(" +
+        "  sigma = norm >= 1. ? 0. : " +
+        c_number(numbers.factor) + " * sqrt(" +
         c_number(numbers.signal_variance) + " * (1. - norm));\n" +
         "  mu = tribmu(p, v, T, NULL, NULL);\n" +
         (logarithmic ? "  sigma *= mu;\n" : "") +
@@ -343,9 +340,10 @@ tribmu_tau(double p, double v, double T);
     if (with_deviation)
       title.push_back("With the deviation: `trusted` is that of the program.");
     else
-      for (const char *const line :
-           {"Without the deviation, since there are too many runs: tribmu_sigma",
-            "gives -1, and `trusted` means in the box only."})
+      for (
+        const char *const line :
+        {"Without the deviation, since there are too many runs: tribmu_sigma",
+         "gives -1, and `trusted` means in the box only."})
         title.push_back(line);
 
     std::string text =

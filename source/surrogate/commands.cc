@@ -127,8 +127,8 @@ namespace asperity
       if (law.output != "mu" || p == nullptr)
         return;
       const bool   known = law.shear_limit.k_0 > 0. && T != nullptr;
-      const double k     = known ? law.shear_limit(*T) :
-                                   std::numeric_limits<double>::infinity();
+      const double k =
+        known ? law.shear_limit(*T) : std::numeric_limits<double>::infinity();
       const double coulomb = at.mean * *p;
       if (known)
         std::cout << "shear limit k = " << format_quantity(k, "MPa", 4)
@@ -202,14 +202,13 @@ namespace asperity
                        "predict law.json -p 450MPa -v 90m/min -T 300degC'.");
     const FrictionLaw             law = FrictionLaw::load(options.words[0]);
     const FrictionLawDescription &description = law.description();
-    const std::vector<double>     point = point_of(description, options);
-    const LawPrediction           at    = law.predict(point.data());
+    const std::vector<double>     point       = point_of(description, options);
+    const LawPrediction           at          = law.predict(point.data());
     if (!is_first_rank())
       return 0;
-    std::cout << description.output << " = "
-              << format_quantity(at.mean, "1", 5) << ", 95 % interval "
-              << format_quantity(at.lower, "1", 5) << " to "
-              << format_quantity(at.upper, "1", 5) << "\n"
+    std::cout << description.output << " = " << format_quantity(at.mean, "1", 5)
+              << ", 95 % interval " << format_quantity(at.lower, "1", 5)
+              << " to " << format_quantity(at.upper, "1", 5) << "\n"
               << trust_line(description, point, at) << "\n";
     if (description.topography_scatter > 0.)
       std::cout << "scatter between profiles of the surface: "
@@ -235,7 +234,9 @@ namespace asperity
     if (const auto entry = options.values.find("--tolerance");
         entry != options.values.end())
       export_options.grid.tolerance =
-        parse_input({"tolerance", "tolerance", "%"}, entry->second, entry->first);
+        parse_input({"tolerance", "tolerance", "%"},
+                    entry->second,
+                    entry->first);
     if (const auto entry = options.values.find("--units");
         entry != options.values.end())
       export_options.grid.units = units_of(entry->second);

@@ -53,8 +53,8 @@ namespace asperity
       void
       write_sources()
       {
-        report.has_deviation = law.law().process().data().y.size() <=
-                               options.largest_factor_size;
+        report.has_deviation =
+          law.law().process().data().y.size() <= options.largest_factor_size;
         if (!report.has_deviation)
           report.warnings.push_back(
             "The law has more than " +
@@ -101,8 +101,7 @@ namespace asperity
         if (!grid.tolerance_is_reached())
           report.warnings.push_back(
             "The tolerance of the tables, " + percent(options.grid.tolerance) +
-            ", is not reached with " +
-            std::to_string(options.grid.max_nodes) +
+            ", is not reached with " + std::to_string(options.grid.max_nodes) +
             " entries; the error is " + percent(grid.interpolation_error()) +
             ".");
         write("abaqus_friction.inp",
@@ -146,26 +145,27 @@ namespace asperity
           text += line + "\n";
         text += "\nFiles\n-----\n\n";
         for (const ExportedFile &file : report.files)
-          text += file.name + "\n    " + file.sentence +
-                  (file.interpolation_error > 0. ?
-                     "; interpolates within " +
-                       percent(file.interpolation_error) :
-                     "") +
-                  "\n";
+          text +=
+            file.name + "\n    " + file.sentence +
+            (file.interpolation_error > 0. ?
+               "; interpolates within " + percent(file.interpolation_error) :
+               "") +
+            "\n";
         text += "\nNotes\n-----\n\n";
-        for (const char *const paragraph :
-             {"In the sticking zone the shear stress is the shear limit k of "
-              "the chip and not mu p (Zorev): tau = min(mu p, k). The source and "
-              "the user subroutines do that with k(T); Abaqus's table has one "
-              "TAUMAX; the other tables do not limit tau.",
-              "Outside of the ranges above the law is not to be trusted. The "
-              "source still answers, with finite numbers that far away fall back "
-              "to the mean of the data; tables hold their last value.",
-              "Nothing here has been run in Abaqus, LS-DYNA or DEFORM. The "
-              "source and the user subroutines were compiled and compared with "
-              "the law by the tests of Asperity.",
-              "For programs that can call a library, asperity_friction.h and "
-              "tools/asperity_friction.py of Asperity read the law's own file."})
+        for (
+          const char *const paragraph :
+          {"In the sticking zone the shear stress is the shear limit k of "
+           "the chip and not mu p (Zorev): tau = min(mu p, k). The source and "
+           "the user subroutines do that with k(T); Abaqus's table has one "
+           "TAUMAX; the other tables do not limit tau.",
+           "Outside of the ranges above the law is not to be trusted. The "
+           "source still answers, with finite numbers that far away fall back "
+           "to the mean of the data; tables hold their last value.",
+           "Nothing here has been run in Abaqus, LS-DYNA or DEFORM. The "
+           "source and the user subroutines were compiled and compared with "
+           "the law by the tests of Asperity.",
+           "For programs that can call a library, asperity_friction.h and "
+           "tools/asperity_friction.py of Asperity read the law's own file."})
           {
             for (const std::string &line : wrapped(paragraph, 72))
               text += line + "\n";

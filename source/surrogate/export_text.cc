@@ -12,8 +12,8 @@ namespace asperity
     std::string
     range_line(const LawInput &input)
     {
-      return input.symbol + " (" + input.name + "): " +
-             format_quantity(input.lower, input.unit, 6) + " to " +
+      return input.symbol + " (" + input.name +
+             "): " + format_quantity(input.lower, input.unit, 6) + " to " +
              format_quantity(input.upper, input.unit, 6) +
              (input.scale == Scale::logarithmic ? ", logarithmic" : "");
     }
@@ -96,19 +96,18 @@ namespace asperity
     const FrictionLawDescription &d = law.law().description();
     std::vector<std::string>      lines;
     append_wrapped(lines, "Written by " + version_line() + ".");
-    append_wrapped(
-      lines,
-      "Law: Gaussian process, kernel " +
-        kernel_name(law.law().process().kernel()) + ", " +
-        std::to_string(law.law().process().data().y.size()) +
-        " runs, relative leave-one-out error " +
-        percent(d.leave_one_out_error) + ", fitted to " +
-        (d.output_scale == Scale::logarithmic ? "ln(mu)." : "mu."));
+    append_wrapped(lines,
+                   "Law: Gaussian process, kernel " +
+                     kernel_name(law.law().process().kernel()) + ", " +
+                     std::to_string(law.law().process().data().y.size()) +
+                     " runs, relative leave-one-out error " +
+                     percent(d.leave_one_out_error) + ", fitted to " +
+                     (d.output_scale == Scale::logarithmic ? "ln(mu)." :
+                                                             "mu."));
     if (d.topography_scatter > 0.)
       append_wrapped(lines,
                      "Scatter between profiles of the surface: " +
-                       percent(d.topography_scatter) +
-                       ", not part of sigma.");
+                       percent(d.topography_scatter) + ", not part of sigma.");
     append_wrapped(lines, "Ranges of the training data:");
     for (unsigned int c = 0; c < ContactPointLaw::n_coordinates; ++c)
       if (const LawInput *const input = law.input(c))

@@ -52,10 +52,10 @@ namespace asperity
     const std::size_t            n       = process.data().y.size();
     for (std::size_t i = 0; i < inputs.size(); ++i)
       {
-        Coordinate c = make_coordinate(
-          inputs[i],
-          law.coordinates()[i],
-          process.hyperparameters().length_scales[i]);
+        Coordinate c =
+          make_coordinate(inputs[i],
+                          law.coordinates()[i],
+                          process.hyperparameters().length_scales[i]);
         for (std::size_t j = 0; j < n; ++j)
           c.points.push_back(x[j * inputs.size() + i] / c.length);
         if (c.index < ContactPointLaw::n_coordinates)
@@ -126,8 +126,7 @@ namespace asperity
       {
         const std::string entry =
           numbers[i] + (i + 1 < numbers.size() ? "," : end);
-        if (!lines.back().empty() &&
-            lines.back().size() + entry.size() > width)
+        if (!lines.back().empty() && lines.back().size() + entry.size() > width)
           lines.emplace_back();
         lines.back() += entry;
       }

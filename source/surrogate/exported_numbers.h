@@ -25,7 +25,7 @@ namespace asperity
     {
       unsigned int        index = 0;
       double              lower = 0., upper = 1.;
-      double              margin = 0.; ///< that still counts as inside
+      double              margin      = 0.; ///< that still counts as inside
       bool                logarithmic = false;
       double              origin = 0., span = 1., length = 1.;
       std::vector<double> points;

@@ -22,8 +22,7 @@ namespace asperity
     }
 
     std::string
-    data_statements(const std::string         &name,
-                    const std::vector<double> &values)
+    data_statements(const std::string &name, const std::vector<double> &values)
     {
       std::string text;
       for (std::size_t begin = 0; begin < values.size();
@@ -49,8 +48,8 @@ namespace asperity
     argument(const ExportedNumbers::Coordinate &c)
     {
       std::string name = ContactPointLaw::symbols()[c.index];
-      name[0]          = static_cast<char>(
-        std::toupper(static_cast<unsigned char>(name[0])));
+      name[0] =
+        static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
       return name;
     }
 
@@ -73,15 +72,15 @@ namespace asperity
           if (!c.logarithmic)
             {
               text += statement(d + "=1D0/(" + span + "*" + length + ")") +
-                      statement(s + "=(" + x + "-(" +
-                                fortran_number(c.origin) + "))") +
+                      statement(s + "=(" + x + "-(" + fortran_number(c.origin) +
+                                "))") +
                       statement(s + "=" + s + "/" + span + "/" + length);
               continue;
             }
           // tiny numbers have no inverse
           text += statement("IF (" + x + ".GT.1D-300) THEN") +
-                  statement("  " + d + "=1D0/(" + x + "*" + span) +
-                  "     &*" + length + ")\n" + statement("END IF") +
+                  statement("  " + d + "=1D0/(" + x + "*" + span) + "     &*" +
+                  length + ")\n" + statement("END IF") +
                   statement(s + "=" + x) +
                   statement("IF (" + x + ".LE.0D0) " + s + "=" +
                             fortran_number(c.lower)) +
@@ -193,10 +192,9 @@ namespace asperity
     std::string
     output(const ExportedNumbers &numbers)
     {
-      std::string text = statement("XMU=" + fortran_number(numbers.factor) +
-                                   "*M") +
-                         statement("XMU=" + fortran_number(numbers.offset) +
-                                   "+XMU");
+      std::string text =
+        statement("XMU=" + fortran_number(numbers.factor) + "*M") +
+        statement("XMU=" + fortran_number(numbers.offset) + "+XMU");
       if (numbers.output_scale == Scale::logarithmic)
         text += statement("XMU=EXP(XMU)");
       return text;
@@ -245,9 +243,9 @@ namespace asperity
         "      DOUBLE PRECISION DP,DV,DT\n";
       if (!numbers.B.empty())
         text += "      INTEGER J,K\n      DOUBLE PRECISION TOTAL,ROW\n" +
-          statement("DOUBLE PRECISION B(" + std::to_string(numbers.B.size()) +
-                    ")") +
-          statement("SAVE B") + data_statements("B", numbers.B);
+                statement("DOUBLE PRECISION B(" +
+                          std::to_string(numbers.B.size()) + ")") +
+                statement("SAVE B") + data_statements("B", numbers.B);
       text += "      CALL TRIBSC(P,V,T,SP,SV,ST,SDP,SDV,SDT)\n" +
               statement("M=" + fortran_number(numbers.sum_of_weights)) +
               statement("DO 10 I=1," + n) +
@@ -268,10 +266,9 @@ namespace asperity
       if (numbers.output_scale == Scale::logarithmic)
         text += statement("SIGMA=SIGMA*XMU");
       return text + "      ITRUST=0\n" +
-             statement(
-               "IF (SIGMA.LE." +
-               fortran_number(numbers.largest_trusted_deviation) +
-               "*ABS(XMU))") +
+             statement("IF (SIGMA.LE." +
+                       fortran_number(numbers.largest_trusted_deviation) +
+                       "*ABS(XMU))") +
              "     &ITRUST=TRIBIN(P,V,T)\n      END\n";
     }
 
@@ -296,17 +293,15 @@ namespace asperity
           statement("  DXK=-XK*" + fortran_number(limit.exponent) + "/R") +
           statement("  DXK=DXK*S**(" + fortran_number(limit.exponent - 1.) +
                     ")") +
-          statement("  XK=XK*(1D0-S**" + fortran_number(limit.exponent) +
-                    ")") +
+          statement("  XK=XK*(1D0-S**" + fortran_number(limit.exponent) + ")") +
           "      ELSE\n        XK=0D0\n      END IF\n";
-      return text +
-             "      END\nC\nC     SHEAR STRESS MIN(MU*P,K)\n"
-             "      DOUBLE PRECISION FUNCTION TRIBTA(P,V,T)\n"
-             "      IMPLICIT NONE\n      INTEGER INSIDE\n"
-             "      DOUBLE PRECISION P,V,T,XMU,DMU(3),XK,DXK\n"
-             "      CALL TRIBMU(P,V,T,XMU,DMU,INSIDE)\n"
-             "      CALL TRIBK(T,XK,DXK)\n      TRIBTA=MIN(XMU*P,XK)\n"
-             "      END\n";
+      return text + "      END\nC\nC     SHEAR STRESS MIN(MU*P,K)\n"
+                    "      DOUBLE PRECISION FUNCTION TRIBTA(P,V,T)\n"
+                    "      IMPLICIT NONE\n      INTEGER INSIDE\n"
+                    "      DOUBLE PRECISION P,V,T,XMU,DMU(3),XK,DXK\n"
+                    "      CALL TRIBMU(P,V,T,XMU,DMU,INSIDE)\n"
+                    "      CALL TRIBK(T,XK,DXK)\n      TRIBTA=MIN(XMU*P,XK)\n"
+                    "      END\n";
     }
 
     std::vector<std::string>

@@ -171,11 +171,11 @@ namespace asperity
           {
             ContactPoint point;
             for (const auto &[c, index] : {std::pair(a, i), std::pair(b, j)})
-              point[c] =
-                law.input(c) == nullptr ?
-                  not_a_number :
-                  sample(*law.input(c), index / (n_samples - 1.));
-            point[coordinate] = si(coordinate, from + 0.25 * quarter * (to - from));
+              point[c] = law.input(c) == nullptr ?
+                           not_a_number :
+                           sample(*law.input(c), index / (n_samples - 1.));
+            point[coordinate] =
+              si(coordinate, from + 0.25 * quarter * (to - from));
             points.push_back(point);
           }
     const std::vector<double> mu     = law.means(points);
@@ -184,8 +184,7 @@ namespace asperity
       for (unsigned int quarter = 1; quarter < 4; ++quarter)
         result =
           std::max(result,
-                   relative_error(mu[i] +
-                                    0.25 * quarter * (mu[i + 4] - mu[i]),
+                   relative_error(mu[i] + 0.25 * quarter * (mu[i + 4] - mu[i]),
                                   mu[i + quarter]));
     return result;
   }
@@ -258,9 +257,8 @@ namespace asperity
             }
           const std::vector<double> exact = law.means(in_si);
           for (std::size_t i = 0; i < points.size(); ++i)
-            result =
-              std::max(result,
-                       relative_error(interpolate(points[i]), exact[i]));
+            result = std::max(result,
+                              relative_error(interpolate(points[i]), exact[i]));
           n_points += points.size();
         }
     return result;

@@ -77,7 +77,8 @@ namespace asperity
           {
             const LawInput &input = description.inputs[i];
             const double    x     = data.x[j * d + i],
-                         margin = FrictionLaw::edge_tolerance * (input.upper - input.lower);
+                         margin   = FrictionLaw::edge_tolerance *
+                                  (input.upper - input.lower);
             if (!(x >= input.lower - margin && x <= input.upper + margin))
               throw InputError(origin + ": The input " + in_quotes(input.name) +
                                " of point number " + std::to_string(j + 1) +

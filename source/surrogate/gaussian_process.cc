@@ -68,8 +68,7 @@ namespace asperity
 
     /** s2 sum over j of alpha_j; these terms nearly cancel. */
     double
-    sum_of_terms(const std::vector<double> &alpha,
-                 const double               signal_variance)
+    sum_of_terms(const std::vector<double> &alpha, const double signal_variance)
     {
       long double sum = 0.;
       for (const double a : alpha)
@@ -107,7 +106,7 @@ namespace asperity
     alpha_          = covariance.alpha();
     sum_of_weights_ = sum_of_terms(alpha_, hyperparameters.signal_variance);
     jitter_         = covariance.jitter();
-    inverse_factor_  = covariance.packed_inverse_factor();
+    inverse_factor_ = covariance.packed_inverse_factor();
     coordinates     = scaled_coordinates(data, hyperparameters.length_scales);
     log_likelihood_ = covariance.log_likelihood();
   }

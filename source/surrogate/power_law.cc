@@ -221,8 +221,9 @@ namespace asperity
         return input.symbol == "v";
       });
     if (found == inputs.end())
-      throw InputError("The friction law does not depend on a velocity v, so no "
-                       "power law over the velocity can be fitted to it.");
+      throw InputError(
+        "The friction law does not depend on a velocity v, so no "
+        "power law over the velocity can be fitted to it.");
     const std::size_t v = static_cast<std::size_t>(found - inputs.begin());
     const Runs        runs(law, 3);
     if (!runs.has_logarithm(v))
@@ -243,9 +244,9 @@ namespace asperity
             a.push_back(1.);
             a.push_back(runs.column(row, v, v_0));
             const double velocity = runs.x[row * inputs.size() + v];
-            if (velocity > v_0 && std::find(velocities.begin(),
-                                            velocities.end(),
-                                            velocity) == velocities.end())
+            if (velocity > v_0 &&
+                std::find(velocities.begin(), velocities.end(), velocity) ==
+                  velocities.end())
               velocities.push_back(velocity);
           }
         if (velocities.size() < 2)
@@ -271,8 +272,7 @@ namespace asperity
   std::string
   to_string(const PowerLaw &power_law, const std::vector<LawInput> &inputs)
   {
-    std::string text =
-                  "mu = " + format_quantity(power_law.coefficient, "1", 4),
+    std::string text = "mu = " + format_quantity(power_law.coefficient, "1", 4),
                 floors;
     for (std::size_t i = 0; i < inputs.size(); ++i)
       if (power_law.exponents[i] != 0.)

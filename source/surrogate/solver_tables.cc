@@ -12,7 +12,7 @@ namespace asperity
   namespace
   {
     std::string
-    number(const double value,
+    number(const double       value,
            const unsigned int digits = FrictionGrid::n_digits)
     {
       return std::isfinite(value) ? format_quantity(value, "1", digits) :
@@ -46,17 +46,18 @@ namespace asperity
     }
 
     std::vector<std::string>
-    error_lines(const double             error,
-                const FrictionGrid      &grid,
-                const std::string       &between,
-                const std::size_t        width = 66)
+    error_lines(const double        error,
+                const FrictionGrid &grid,
+                const std::string  &between,
+                const std::size_t   width = 66)
     {
-      std::vector<std::string> lines = wrapped(
-        "Largest error of linear interpolation " + between + ": " +
-          percent(error, 3) + " of mu (tolerance " +
-          percent(grid.options().tolerance) + "), measured against the law at " +
-          std::to_string(grid.n_checked()) + " points.",
-        width);
+      std::vector<std::string> lines =
+        wrapped("Largest error of linear interpolation " + between + ": " +
+                  percent(error, 3) + " of mu (tolerance " +
+                  percent(grid.options().tolerance) +
+                  "), measured against the law at " +
+                  std::to_string(grid.n_checked()) + " points.",
+                width);
       if (!grid.tolerance_is_reached())
         for (const std::string &line :
              wrapped("The tolerance could not be kept with at most " +
@@ -79,11 +80,11 @@ namespace asperity
       std::string text = "k(T) in " + grid.options().units[0] + ":";
       for (std::size_t k = 0; k < grid.nodes(2).size(); ++k)
         if (const double T = grid.point(0, 0, k)[2]; std::isfinite(T))
-          text += " " +
-                  number(from_si(law.shear_limit(T), grid.options().units[0]),
-                         4) +
-                  " at " + number(grid.nodes(2)[k]) + " " +
-                  grid.options().units[2] + ";";
+          text +=
+            " " +
+            number(from_si(law.shear_limit(T), grid.options().units[0]), 4) +
+            " at " + number(grid.nodes(2)[k]) + " " + grid.options().units[2] +
+            ";";
       text.back() = '.';
       return text;
     }
@@ -102,7 +103,9 @@ namespace asperity
       "Not run in that program.",
       units_line(grid)};
     append(title,
-           error_lines(grid.interpolation_error(), grid, "between the entries"));
+           error_lines(grid.interpolation_error(),
+                       grid,
+                       "between the entries"));
     const double limit = from_si(law.shear_limit(temperature), units[0]);
     const bool   known = std::isfinite(limit);
     if (known)
@@ -140,20 +143,21 @@ namespace asperity
     constexpr std::size_t    first_id = 910000;
     const std::size_t        n_p      = grid.nodes(0).size();
     std::vector<std::string> title    = {
-      "Friction for LS-DYNA: mu(v, p), a table for each temperature.",
-      "Not run in that program.",
-      units_line(grid)};
+         "Friction for LS-DYNA: mu(v, p), a table for each temperature.",
+         "Not run in that program.",
+         units_line(grid)};
     append(title,
            error_lines(error_on_planes(grid, 2),
                        grid,
                        "in v and p at these temperatures"));
-    append(title,
-           wrapped("LS-DYNA does not interpolate in temperature: choose one "
-                   "table. In *CONTACT, FS = 2 makes FD the number of the table "
-                   "(check it in the manual of your version). The tables do "
-                   "not limit tau; " +
-                     shear_limits_line(law, grid),
-                   66));
+    append(
+      title,
+      wrapped("LS-DYNA does not interpolate in temperature: choose one "
+              "table. In *CONTACT, FS = 2 makes FD the number of the table "
+              "(check it in the manual of your version). The tables do "
+              "not limit tau; " +
+                shear_limits_line(law, grid),
+              66));
     std::string text = comment_header(title, law, "$") + "*KEYWORD\n";
     for (std::size_t k = 0; k < grid.nodes(2).size(); ++k)
       {
@@ -208,9 +212,8 @@ namespace asperity
                      shear_limits_line(law, grid),
                    66));
     const std::size_t n_p = grid.nodes(0).size(), n_T = grid.nodes(2).size();
-    std::string       text = comment_header(title, law, "*") +
-                       "FRCFAC 1 2 2 5 " + std::to_string(n_p) + " " +
-                       std::to_string(n_T) + " 1\n";
+    std::string text = comment_header(title, law, "*") + "FRCFAC 1 2 2 5 " +
+                       std::to_string(n_p) + " " + std::to_string(n_T) + " 1\n";
     for (std::size_t i = 0; i < n_p; ++i)
       text += (i == 0 ? "" : " ") + real(grid.nodes(0)[i]);
     text += "\n";
@@ -245,9 +248,9 @@ namespace asperity
       for (std::size_t j = 0; j < grid.nodes(1).size(); ++j)
         for (std::size_t i = 0; i < grid.nodes(0).size(); ++i)
           {
-            const ContactPoint  point = grid.point(i, j, k);
-            const LawPrediction at    = law.predict(point);
-            const double        k_Pa  = law.shear_limit(point[2]);
+            const ContactPoint  point   = grid.point(i, j, k);
+            const LawPrediction at      = law.predict(point);
+            const double        k_Pa    = law.shear_limit(point[2]);
             const double        coulomb = at.mean * point[0];
             for (const double value : {point[0],
                                        point[1],

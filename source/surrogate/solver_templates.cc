@@ -162,7 +162,8 @@ C         THE FIRST DIRECTION IS THAT OF THE SLIP
       end
 )";
 
-    const char *const usrbcc = R"(      SUBROUTINE USRBCC(VARIABLE,NODE1,NODE2,IELEM,NBCD,NDIE,RZ,
+    const char *const usrbcc =
+      R"(      SUBROUTINE USRBCC(VARIABLE,NODE1,NODE2,IELEM,NBCD,NDIE,RZ,
      &  DRZ,USRNOD,NUSRN,ENVTEM,TEMO,TEMC,CURTIM,MODEL,IMODE,ITYPE,
      &  NURZ)
       IMPLICIT REAL*8 (A-H,O-Z), INTEGER*4 (I-N)
@@ -196,15 +197,16 @@ C     DEFORMATION (1), FRICTION (2)
              const std::string       &routine)
     {
       for (const char *const line :
-           {"mu is limited by k(T)/p, so that tau = min(mu p, k).", "",
+           {"mu is limited by k(T)/p, so that tau = min(mu p, k).",
+            "",
             "Written by asperity; the law and its licence follow below, and",
             "the licence holds for all of this file."})
         title.push_back(line);
       std::string text;
       for (const std::string &line : title)
         text += line.empty() ? "C\n" : "C " + line + "\n";
-      return text + routine + effective_coefficient +
-             "C\n" + fortran_source(law, false);
+      return text + routine + effective_coefficient + "C\n" +
+             fortran_source(law, false);
     }
   } // namespace
 

@@ -86,7 +86,7 @@ namespace
 TEST_F(FrictionLaws, predict_says_all_about_a_point)
 {
   const std::string text = predict("-p 450MPa -v 90m/min -T 300degC");
-  const double mu = 0.1 * std::pow(1.5, -0.2) * std::pow(1.5, -0.05);
+  const double      mu   = 0.1 * std::pow(1.5, -0.2) * std::pow(1.5, -0.05);
   EXPECT_NEAR(number_behind(text, "mu = "), mu, 2e-3 * mu);
   EXPECT_LT(number_behind(text, "interval "), mu);
   EXPECT_GT(number_behind(text, " to "), mu);
@@ -112,11 +112,11 @@ TEST_F(FrictionLaws, predict_takes_inputs_by_name_too)
 TEST_F(FrictionLaws, predict_says_why_a_point_is_not_trusted)
 {
   const std::string text = predict("-p 1.5GPa -v 90m/min -T 1000degC");
-  EXPECT_NE(
-    text.find("\nnot trusted: p = 1500 MPa is outside of the data, 300 MPa to "
+  EXPECT_NE(text.find(
+              "\nnot trusted: p = 1500 MPa is outside of the data, 300 MPa to "
               "1300 MPa; T = 1000 degC is outside of the data, 25 degC to 900 "
               "degC"),
-    std::string::npos)
+            std::string::npos)
     << text;
   EXPECT_NE(predict("-p 40GPa -v 90m/min -T 1000degC").find("sticking"),
             std::string::npos);
@@ -190,9 +190,10 @@ TEST_F(FrictionLaws, export_refuses_what_it_cannot_do)
   EXPECT_EQ(refused("export law.json out --units inch"),
             "Error: The option '--units' is 'inch'; 'mm' (mm, s, MPa, degC) or "
             "'SI' is expected.\n");
-  EXPECT_EQ(refused("export law.json out --tolerance 200%"),
-            "Error: The tolerance of friction tables is 2; a number above 0 and "
-            "below 1 is expected.\n");
+  EXPECT_EQ(
+    refused("export law.json out --tolerance 200%"),
+    "Error: The tolerance of friction tables is 2; a number above 0 and "
+    "below 1 is expected.\n");
   law(true).save((folder / "wet.json").string());
   EXPECT_EQ(refused("export wet.json out"),
             "Error: The friction law also depends on 'Lubrication/Wetting'; a "

@@ -29,19 +29,19 @@ TEST(GaussianProcess, keeps_its_accuracy_with_long_length_scales)
 {
   if (sizeof(long double) == sizeof(double))
     GTEST_SKIP() << "there is no extended precision";
-  const TrainingData data =
-    sample(60, 3, [](const std::vector<double> &x) {
-      return std::exp(-x[0]) - std::pow(x[1] + 0.1, 0.3) + 0.2 * x[2] * x[2];
-    });
+  const TrainingData data = sample(60, 3, [](const std::vector<double> &x) {
+    return std::exp(-x[0]) - std::pow(x[1] + 0.1, 0.3) + 0.2 * x[2] * x[2];
+  });
   for (const KernelKind kernel : all_kernels)
     for (const double length : {0.5, 3., 8.})
       {
-        const Hyperparameters hyperparameters = {
-          100. * length, {length, 2. * length, length}, 1e-4};
+        const Hyperparameters hyperparameters = {100. * length,
+                                                 {length, 2. * length, length},
+                                                 1e-4};
         const GaussianProcess process(kernel, hyperparameters, data);
         for (std::size_t point = 500; point < 520; ++point)
           {
-            const std::vector<double> x = evenly_spread_point(point, 3);
+            const std::vector<double> x     = evenly_spread_point(point, 3);
             long double               exact = 0., size = 1.;
             for (std::size_t j = 0; j < data.y.size(); ++j)
               {
@@ -57,8 +57,8 @@ TEST(GaussianProcess, keeps_its_accuracy_with_long_length_scales)
                 const long double alpha = process.alpha()[j];
                 const long double f     = correlation(kernel, r2);
                 exact += hyperparameters.signal_variance * alpha * f;
-                size += std::abs(hyperparameters.signal_variance * alpha *
-                                 (f - 1));
+                size +=
+                  std::abs(hyperparameters.signal_variance * alpha * (f - 1));
               }
             const double expected  = static_cast<double>(exact);
             const double tolerance = static_cast<double>(

@@ -18,8 +18,7 @@ namespace
   Handle
   load(const std::string &path)
   {
-    return Handle(asperity_friction_load(path.c_str()),
-                  asperity_friction_free);
+    return Handle(asperity_friction_load(path.c_str()), asperity_friction_free);
   }
 
   /** The points by columns, and places for the answers. */
@@ -125,14 +124,10 @@ TEST(CInterface, tells_inputs_and_takes_any_number_of_them)
 
   const std::vector<double> x = {5e8, 0.3, 1., 500., 9e8, 0.8, 2., 700.};
   std::vector<double>       mu(2), dmu(8), sigma(2);
-  ASSERT_EQ(asperity_friction_eval_inputs(handle.get(),
-                                          2,
-                                          x.data(),
-                                          mu.data(),
-                                          dmu.data(),
-                                          sigma.data(),
-                                          nullptr),
-            0);
+  ASSERT_EQ(
+    asperity_friction_eval_inputs(
+      handle.get(), 2, x.data(), mu.data(), dmu.data(), sigma.data(), nullptr),
+    0);
   for (unsigned int j = 0; j < 2; ++j)
     {
       const LawPrediction at = law.predict(&x[4 * j]);
@@ -171,8 +166,8 @@ TEST(CInterface, answers_threads_that_share_a_law)
             errors[i] += "evaluation failed ";
           // failures of one thread are none of the others' business
           asperity_friction_input input;
-          if (i % 2 == 1 && asperity_friction_get_input(
-                              handle.get(), 100 + i, &input) == 0)
+          if (i % 2 == 1 &&
+              asperity_friction_get_input(handle.get(), 100 + i, &input) == 0)
             errors[i] += "there is no such input ";
         }
       const std::string last = asperity_friction_last_error();
@@ -201,9 +196,9 @@ TEST(CInterface, says_what_is_wrong)
     << asperity_friction_last_error();
   const Folder folder;
   folder.write("letter.json", "Dear Sir or Madam");
-  EXPECT_EQ(
-    asperity_friction_load((folder.path / "letter.json").string().c_str()),
-    nullptr);
+  EXPECT_EQ(asperity_friction_load(
+              (folder.path / "letter.json").string().c_str()),
+            nullptr);
   EXPECT_NE(std::string(asperity_friction_last_error()).find("letter.json"),
             std::string::npos)
     << asperity_friction_last_error();
@@ -220,15 +215,8 @@ TEST(CInterface, says_what_is_wrong)
   train(law_kinds[2]).save((folder.path / "law.json").string());
   const Handle handle = load((folder.path / "law.json").string());
   double       mu, p = 5e8, T = 500.;
-  EXPECT_NE(asperity_friction_eval(handle.get(),
-                                   1,
-                                   &p,
-                                   nullptr,
-                                   &T,
-                                   &mu,
-                                   nullptr,
-                                   nullptr,
-                                   nullptr),
+  EXPECT_NE(asperity_friction_eval(
+              handle.get(), 1, &p, nullptr, &T, &mu, nullptr, nullptr, nullptr),
             0);
   EXPECT_STREQ(asperity_friction_last_error(),
                "The law depends on v, but its array is NULL.");
@@ -274,8 +262,8 @@ int main(void)
              "/include' -o program program.c -L'" + build +
              "' -lasperity_friction -Wl,-rpath,'" + build + "'");
   folder.run("./program >answer.txt");
-  const double       expected = formula(4.5e8, 1.5, 573.15, 0.);
-  const auto         rows     = folder.rows("answer.txt");
+  const double expected = formula(4.5e8, 1.5, 573.15, 0.);
+  const auto   rows     = folder.rows("answer.txt");
   ASSERT_EQ(rows.size(), 1u);
   EXPECT_NEAR(rows[0][0], expected, 0.02 * expected);
 

@@ -12,7 +12,8 @@ using namespace asperity_test;
 TEST(ExportLaw, writes_every_file_with_licence_and_provenance)
 {
   const Folder       folder;
-  const ExportReport report = export_law(train(law_kinds[2]), folder.path / "out");
+  const ExportReport report =
+    export_law(train(law_kinds[2]), folder.path / "out");
   std::set<std::string> names;
   for (const ExportedFile &file : report.files)
     {
@@ -42,8 +43,7 @@ TEST(ExportLaw, writes_every_file_with_licence_and_provenance)
     EXPECT_EQ(names.count(name), 1u) << name;
   const std::string readme = folder.read("out/README.txt");
   for (const std::string &name : names)
-    EXPECT_TRUE(name == "README.txt" ||
-                readme.find(name) != std::string::npos)
+    EXPECT_TRUE(name == "README.txt" || readme.find(name) != std::string::npos)
       << name;
   EXPECT_TRUE(report.has_deviation);
   EXPECT_TRUE(report.warnings.empty());
@@ -120,8 +120,7 @@ TEST(ExportLaw, says_when_the_directory_cannot_be_written)
   const Folder folder;
   folder.write("file", "not a folder\n");
   EXPECT_NE(message_of<ComputationError>([&] {
-              export_law(train(law_kinds[2]),
-                         (folder.path / "file").string());
+              export_law(train(law_kinds[2]), (folder.path / "file").string());
             }).find("could not be written"),
             std::string::npos);
 }

@@ -72,9 +72,9 @@ namespace asperity_test
     if (kind.has_wetting)
       result.inputs.insert(result.inputs.begin() + 1,
                            {"Lubrication/Wetting", "Wetting", "1", 0., 1.});
-    result.kernel       = kind.kernel;
-    result.output_scale = kind.output_scale;
-    result.shear_limit  = {6e8, 1.3558, 293.15, 1773.15, 1., 1e4};
+    result.kernel                = kind.kernel;
+    result.output_scale          = kind.output_scale;
+    result.shear_limit           = {6e8, 1.3558, 293.15, 1773.15, 1., 1e4};
     result.provenance["surface"] = "blasted.x3p";
     // what would end a comment in C, or a line of it
     result.provenance["note"] =
@@ -99,9 +99,8 @@ namespace asperity_test
         x.insert(x.end(), at.begin(), at.end());
         const double wetting = kind.has_wetting ? at[1] : 0.;
         const double scatter = 0.01 * (unit.back() - 0.5);
-        y.push_back(
-          formula(at[0], at[at.size() - 2], at.back(), wetting) *
-          (1. + scatter));
+        y.push_back(formula(at[0], at[at.size() - 2], at.back(), wetting) *
+                    (1. + scatter));
       }
     return FrictionLaw::train(law, x, y);
   }
@@ -228,8 +227,8 @@ namespace asperity_test
 
   /**
    * How closely two evaluations of a law have to agree: to 1e-12 in the box of
-   * its data. Away from it, where the correlations are neither close to 1 nor to
-   * 0, the mean is a sum of huge terms that cancel, and their rounding is
+   * its data. Away from it, where the correlations are neither close to 1 nor
+   * to 0, the mean is a sum of huge terms that cancel, and their rounding is
    * inevitable.
    */
   inline double

@@ -103,7 +103,7 @@ int main(void)
           EXPECT_NEAR(row[1 + c],
                       at.gradient[c],
                       1e-9 * (std::abs(at.gradient[c]) +
-                               derivative_scale(at.mean, c)));
+                              derivative_scale(at.mean, c)));
         EXPECT_EQ(row[4] != 0., law.is_inside(x));
         EXPECT_NEAR(row[5], at.deviation, 1e-10 * std::abs(at.mean));
         EXPECT_TRUE((row[6] != 0.) == at.trusted ||
@@ -112,8 +112,7 @@ int main(void)
         EXPECT_NEAR(row[7], law.shear_limit(x[2]), 1e-14 * 6e8);
         EXPECT_NEAR(row[9],
                     std::min(at.mean * x[0], law.shear_limit(x[2])),
-                    accuracy(law.law(), x, at.mean) * std::abs(x[0]) +
-                      1e-6);
+                    accuracy(law.law(), x, at.mean) * std::abs(x[0]) + 1e-6);
       }
   }
 
@@ -144,9 +143,8 @@ int main(void)
       {
         const std::vector<double> u = evenly_spread_point(j + 500, 3);
         // a little beyond the box, too
-        const ContactPoint x = {{2e8 + 1.2e9 * u[0],
-                                 0.2 + 3.5 * u[1],
-                                 250. + 1000. * u[2]}};
+        const ContactPoint x = {
+          {2e8 + 1.2e9 * u[0], 0.2 + 3.5 * u[1], 250. + 1000. * u[2]}};
         result.push_back(x);
         for (unsigned int c = 0; c < 3; ++c)
           for (const double sign : {1., -1.})
@@ -170,9 +168,7 @@ TEST(ExportedC, agrees_with_the_law)
       SCOPED_TRACE(kind.name());
       const Folder          folder;
       const ContactPointLaw law(train(kind));
-      expect_same_answers(law,
-                          points(),
-                          answers_of_c(folder, law, points()));
+      expect_same_answers(law, points(), answers_of_c(folder, law, points()));
       folder.write_points("points.txt", points_with_neighbours(steps));
       folder.run("./driver <points.txt >answers.txt");
       expect_true_derivatives(folder.rows("answers.txt"), steps);
@@ -237,9 +233,8 @@ TEST(ExportedSource, without_the_factor_knows_the_box_only)
     GTEST_SKIP() << "gcc or gfortran was not found";
   const Folder          folder;
   const ContactPointLaw law(train(law_kinds[2]));
-  for (const auto &answers :
-       {answers_of_c(folder, law, points(), false),
-        answers_of_fortran(folder, law, points(), false)})
+  for (const auto &answers : {answers_of_c(folder, law, points(), false),
+                              answers_of_fortran(folder, law, points(), false)})
     {
       ASSERT_EQ(answers.size(), points().size());
       for (std::size_t j = 0; j < answers.size(); ++j)
@@ -293,7 +288,7 @@ TEST(ExportedSource, gives_no_shear_limit_if_it_is_unknown)
 {
   if (!has_program("gcc"))
     GTEST_SKIP() << "gcc was not found";
-  const FrictionLaw      known = train(law_kinds[2]);
+  const FrictionLaw      known       = train(law_kinds[2]);
   FrictionLawDescription description = known.description();
   description.shear_limit            = ShearLimit();
   const ContactPointLaw law(

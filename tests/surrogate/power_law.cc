@@ -57,10 +57,10 @@ TEST(PowerLaw, leaves_out_runs_as_fitting_without_them_does)
   const auto function = [](const double p, const double v, const double T) {
     return formula(p, v, T, 0.);
   };
-  const FrictionLaw    law   = trained_on(function);
-  const PowerLaw       fit   = fit_power_law(law);
-  double               error = 0.;
-  const std::size_t    n     = law.data().y.size();
+  const FrictionLaw law   = trained_on(function);
+  const PowerLaw    fit   = fit_power_law(law);
+  double            error = 0.;
+  const std::size_t n     = law.data().y.size();
   for (std::size_t left_out = 0; left_out < n; ++left_out)
     {
       std::vector<double> x = law.data().x, y = law.data().y;
@@ -68,22 +68,23 @@ TEST(PowerLaw, leaves_out_runs_as_fitting_without_them_does)
       y.erase(y.begin() + left_out);
       const PowerLaw without =
         fit_power_law(FrictionLaw::train(law.description(), x, y));
-      error += std::abs(without(&law.data().x[3 * left_out]) /
-                          law.data().y[left_out] -
-                        1.) /
-               static_cast<double>(n);
+      error +=
+        std::abs(without(&law.data().x[3 * left_out]) / law.data().y[left_out] -
+                 1.) /
+        static_cast<double>(n);
     }
   EXPECT_NEAR(fit.leave_one_out_error, error, 1e-9);
   EXPECT_GT(fit.leave_one_out_error, fit.mean_relative_error);
   // a law that the runs do not follow is worse than the Gaussian process
-  EXPECT_GT(fit.leave_one_out_error, 3. * law.description().leave_one_out_error);
+  EXPECT_GT(fit.leave_one_out_error,
+            3. * law.description().leave_one_out_error);
 }
 
 TEST(VelocityLaw, finds_where_the_constant_part_ends)
 {
   // dry, in the dissertation's section 2.1: constant up to 46 m/min
-  const double v_0  = 46. / 60.;
-  const auto   dry  = [&](double, const double v, double) {
+  const double v_0 = 46. / 60.;
+  const auto   dry = [&](double, const double v, double) {
     return 0.6 * std::pow(std::max(v, v_0) / v_0, -0.4);
   };
   const auto wet = [](double, const double v, double) {

@@ -124,8 +124,8 @@ namespace
         ContactPoint              x, si;
         for (unsigned int c = 0; c < 3; ++c)
           {
-            x[c] = nodes[c].front() +
-                   u[c] * (nodes[c].back() - nodes[c].front());
+            x[c] =
+              nodes[c].front() + u[c] * (nodes[c].back() - nodes[c].front());
             si[c] = to_si(x[c], units[c]);
           }
         const double exact = law.mean(si);
@@ -181,7 +181,8 @@ TEST(SolverTables, abaqus_keeps_its_error_and_limits_tau)
       EXPECT_LE(stated, options.tolerance);
       const double error = largest_error(table, law, options.units);
       EXPECT_LE(error, between * grid.interpolation_error());
-      EXPECT_GT(error, 0.3 * stated) << "nobody wants a table finer than need be";
+      EXPECT_GT(error, 0.3 * stated)
+        << "nobody wants a table finer than need be";
       EXPECT_NE(text.find("Not run in that program"), std::string::npos);
       EXPECT_NE(text.find("Permission is hereby granted"), std::string::npos);
     }
@@ -325,9 +326,8 @@ TEST(FrictionGrid, needs_only_one_node_where_the_law_does_not_look)
   std::vector<double> x;
   for (std::size_t j = 0; j < full.data().y.size(); ++j)
     x.push_back(full.data().x[3 * j]);
-  const ContactPointLaw law(
-    FrictionLaw::train(description, x, full.data().y));
-  const FrictionGrid grid(law, options);
+  const ContactPointLaw law(FrictionLaw::train(description, x, full.data().y));
+  const FrictionGrid    grid(law, options);
   EXPECT_EQ(grid.nodes(1).size(), 1u);
   EXPECT_EQ(grid.nodes(2).size(), 1u);
   EXPECT_EQ(grid.n_nodes(), grid.nodes(0).size());

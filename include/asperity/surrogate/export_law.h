@@ -23,7 +23,8 @@ namespace asperity
      *  factor (n^2/2 numbers), and with it deviation and `trusted`. */
     std::size_t largest_factor_size = 200;
 
-    /** At which Abaqus's TAUMAX is taken [K]; empty: the middle of the range. */
+    /** At which Abaqus's TAUMAX is taken [K]; empty: the middle of the range.
+     */
     std::optional<double> limit_temperature;
   };
 
@@ -42,8 +43,8 @@ namespace asperity
     std::vector<ExportedFile> files;
     std::vector<std::string>  warnings;
 
-    double      table_error   = 0.; ///< largest of the interpolation errors
-    std::size_t table_entries = 0;  ///< of the table over p, v and T
+    double      table_error   = 0.;    ///< largest of the interpolation errors
+    std::size_t table_entries = 0;     ///< of the table over p, v and T
     bool        has_deviation = false; ///< the source knows `trusted`
   };
 

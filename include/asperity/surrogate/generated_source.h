@@ -11,12 +11,12 @@ namespace asperity
    * A law as source code that needs nothing but a compiler. All numbers are SI:
    * Pa, m/s, K. Outside of the box of the training data the code answers as
    * FrictionLaw does and says that it is not to be trusted; it answers with
-   * finite numbers, to infinite ones as well; to what is not a number it answers
-   * with none. It keeps no state, so that threads may share it.
+   * finite numbers, to infinite ones as well; to what is not a number it
+   * answers with none. It keeps no state, so that threads may share it.
    *
    * C99: tribmu() gives mu, its three derivatives and whether the point lies in
-   * the box; tribmu_sigma() the standard deviation and `trusted`; tribmu_k() the
-   * shear limit; tribmu_tau() min(mu p, k).
+   * the box; tribmu_sigma() the standard deviation and `trusted`; tribmu_k()
+   * the shear limit; tribmu_tau() min(mu p, k).
    */
   std::string
   c_header(const ContactPointLaw &law);

@@ -11,8 +11,8 @@ namespace asperity
    * A law as tables that chip-formation programs read without any user code.
    * Each text says in its comments the units, the measured error of linear
    * interpolation, the provenance of the law and a permissive licence, and that
-   * it has not been run in the program. Beyond the table these programs hold the
-   * last value, as far as they document it, where the law itself goes on.
+   * it has not been run in the program. Beyond the table these programs hold
+   * the last value, as far as they document it, where the law itself goes on.
    */
 
   /**

@@ -207,7 +207,7 @@ extern "C"
       if (n == 0)
         return;
       const std::array<const double *, 3> points = {{p, v, T}};
-      const std::vector<std::size_t> place = coordinates(law->law, points);
+      const std::vector<std::size_t>      place = coordinates(law->law, points);
 
       const std::size_t   d = law->n_inputs;
       std::vector<double> x(block_size * d), gradient(block_size * d);
