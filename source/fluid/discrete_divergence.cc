@@ -4,6 +4,7 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/full_matrix.h>
 
+#include <algorithm>
 #include <cmath>
 
 // What the divergence of the initial velocity needs, lest the pressure of small
@@ -52,6 +53,18 @@ namespace asperity
           cell->get_dof_indices(dofs);
           constraints.distribute_local_to_global(K, dofs, matrix);
         }
+    }
+
+
+
+    /** Of the entries from the first on. */
+    double
+    norm_from(const Vector &vector, const unsigned int first)
+    {
+      double squares = 0.;
+      for (unsigned int i = first; i < vector.size(); ++i)
+        squares += vector(i) * vector(i);
+      return std::sqrt(squares);
     }
   } // namespace
 
@@ -120,27 +133,22 @@ namespace asperity
         return report;
       }
 
-    Vector x(u), start(u), R(u.size());
+    Vector start(u);
+    for (unsigned int i = n_velocity; i < u.size(); ++i)
+      start(i) = 0.;
+    Vector x(start), start_divergence(u.size()), R(u.size());
+    saddle_point.vmult(start_divergence, start);
     // One velocity everywhere would have a residual of about this size.
     const double size = u.linfty_norm() * std::sqrt(volume());
-    for (unsigned int i = n_velocity; i < u.size(); ++i)
-      x(i) = start(i) = 0.;
     for (; report.iterations < maximum_repetitions; ++report.iterations)
       {
         Vector difference(x);
         difference -= start; // M (v - v_0) - B^T phi, and - B v
         saddle_point.vmult(R, difference);
-        Vector start_divergence(u.size());
-        saddle_point.vmult(start_divergence, start);
-        double squares = 0.;
         for (unsigned int i = n_velocity; i < u.size(); ++i)
-          {
-            R(i) += start_divergence(i) + volume_source(i);
-            squares += R(i) * R(i);
-          }
-        for (const auto &line : constraints.get_lines())
-          R(line.index) = 0.;
-        report.residual = std::sqrt(squares);
+          R(i) += start_divergence(i) + volume_source(i);
+        report.residual = norm_from(R, n_velocity);
+        constraints.set_zero(R);
         if (report.iterations > 0 && report.residual <= tolerance * size)
           {
             report.converged = true;
@@ -153,8 +161,7 @@ namespace asperity
       }
     if (!report.converged)
       report.reason = "the projection of the initial velocity did not converge";
-    for (unsigned int i = 0; i < n_velocity; ++i)
-      u(i) = x(i);
+    std::copy_n(x.begin(), n_velocity, u.begin());
     u_old = u;
     return report;
   }

@@ -84,6 +84,7 @@ namespace asperity
   private:
     struct Point;
     struct Cell;
+    struct Stabilisation; // what the stabilising terms need at a point
 
     void
     integrate(Cell &cell, const bool with_tangent) const;
@@ -95,10 +96,16 @@ namespace asperity
     void
     galerkin(Cell &cell, const Point &point, const bool with_tangent) const;
 
+    Stabilisation
+    stabilisation(const Cell &cell, const Point &point) const;
+
     void
-    stabilisation(Cell        &cell,
-                  const Point &point,
-                  const bool   with_tangent) const;
+    stabilise(Cell &cell, const Point &point, const bool with_tangent) const;
+
+    void
+    add_stabilised_tangent(Cell                &cell,
+                           const Point         &point,
+                           const Stabilisation &stabilisation) const;
 
     const FluidSpace  &space;
     const MovingMesh  &mesh;
