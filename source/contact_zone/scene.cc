@@ -38,6 +38,21 @@ namespace asperity
 
   Scene::Scene(const SceneParameters &parameters)
   {
+    build_surfaces(parameters);
+    build_mesh(parameters);
+    law = make_material_law(parameters.material);
+    build_chip(parameters);
+    build_contact(parameters);
+    build_lubricant(parameters);
+    build_boundaries();
+    build_equilibrium(parameters.solver.linear_solver);
+  }
+
+
+
+  void
+  Scene::build_surfaces(const SceneParameters &parameters)
+  {
     tool_surface = make_surface(parameters.tool, parameters.geometry.length);
     length       = tool_surface.period;
     // Measured heights point out of the tool, and the tool is above.
@@ -56,16 +71,13 @@ namespace asperity
       tool_surface.mapped(1.,
                           parameters.geometry.initial_gap -
                             smallest_gap(chip_surface, tool_surface));
+  }
 
-    build_mesh(parameters);
-    law = make_material_law(parameters.material);
-    tool =
-      std::make_shared<CurveObstacle>(tool_surface.curve, CurveSide::right);
 
-    contact_element_length_ = length / parameters.mesh.spans;
-    penalty_                = parameters.contact.penalty.value_or(
-      parameters.contact.penalty_factor * law->young_modulus() /
-      contact_element_length_);
+
+  void
+  Scene::build_chip(const SceneParameters &parameters)
+  {
     chip = std::make_unique<SolidAssembler>(space,
                                             geometry,
                                             law,
@@ -77,6 +89,19 @@ namespace asperity
     start.temperature    = parameters.load.temperature;
     start.plastic_strain = parameters.load.plastic_strain;
     chip->initialize(start);
+  }
+
+
+
+  void
+  Scene::build_contact(const SceneParameters &parameters)
+  {
+    tool =
+      std::make_shared<CurveObstacle>(tool_surface.curve, CurveSide::right);
+    contact_element_length_ = length / parameters.mesh.spans;
+    penalty_                = parameters.contact.penalty.value_or(
+      parameters.contact.penalty_factor * law->young_modulus() /
+      contact_element_length_);
 
     ContactOptions options;
     options.formulation        = parameters.contact.formulation;
@@ -84,9 +109,13 @@ namespace asperity
     options.points_per_element = parameters.contact.quadrature;
     contact                    = std::make_unique<ContactAssembler>(
       space, geometry, Edge::top, tool, options);
+  }
 
-    build_lubricant(parameters);
-    build_boundaries();
+
+
+  void
+  Scene::build_equilibrium(const DirectSolverKind linear_solver)
+  {
     std::vector<ForceTerm *> terms = {chip.get(), contact.get()};
     if (lubricant)
       terms.push_back(lubricant.get());
@@ -96,10 +125,9 @@ namespace asperity
       std::make_unique<Equilibrium>(n_unknowns(),
                                     terms,
                                     is_prescribed_,
-                                    symmetric ||
-                                        parameters.solver.linear_solver !=
-                                          DirectSolverKind::cholmod ?
-                                      parameters.solver.linear_solver :
+                                    symmetric || linear_solver !=
+                                                   DirectSolverKind::cholmod ?
+                                      linear_solver :
                                       DirectSolverKind::umfpack);
     // A chip that floats on oil is held by the oil's volume alone.
     equilibrium->set_support(2 * space->edge_functions(Edge::bottom).front() +

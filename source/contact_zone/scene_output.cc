@@ -96,8 +96,33 @@ namespace asperity
     const unsigned int step = run.state().step;
     const double       time = run.state().time;
     last_picture            = step;
+    write_chip(run);
 
-    ChipFields fields;
+    Polyline           curve;
+    const unsigned int n = 4 * scene.tool_surface.curve.knot_vector().n_spans();
+    for (unsigned int i = 0; i <= n; ++i)
+      {
+        const double x = scene.length * i / n;
+        curve.points.emplace_back(x, scene.tool_surface.height(x));
+      }
+    tool.write(step, time, [&](std::ostream &out) {
+      write_polyline(out, curve, time, step);
+    });
+    write_contact_line(step, time);
+    if (oil)
+      oil->write(step, time, [&](std::ostream &out) {
+        scene.gap_flow->write(out, time, step);
+      });
+  }
+
+
+
+  void
+  SceneOutput::write_chip(const SlidingRun &run)
+  {
+    const unsigned int step = run.state().step;
+    const double       time = run.state().time;
+    ChipFields         fields;
     fields.displacement.reinit(scene.n_dofs());
     std::copy_n(run.state().u.begin(),
                 scene.n_dofs(),
@@ -116,18 +141,13 @@ namespace asperity
     chip.write(step, time, [&](std::ostream &out) {
       chip_output->write(out, fields, time, step);
     });
+  }
 
-    Polyline           curve;
-    const unsigned int n = 4 * scene.tool_surface.curve.knot_vector().n_spans();
-    for (unsigned int i = 0; i <= n; ++i)
-      {
-        const double x = scene.length * i / n;
-        curve.points.emplace_back(x, scene.tool_surface.height(x));
-      }
-    tool.write(step, time, [&](std::ostream &out) {
-      write_polyline(out, curve, time, step);
-    });
 
+
+  void
+  SceneOutput::write_contact_line(const unsigned int step, const double time)
+  {
     Polyline                          line;
     const auto                       &contact = *scene.contact;
     std::vector<double>               gap, oil_pressure;
@@ -149,10 +169,6 @@ namespace asperity
     contact_line.write(step, time, [&](std::ostream &out) {
       write_polyline(out, line, time, step);
     });
-    if (oil)
-      oil->write(step, time, [&](std::ostream &out) {
-        scene.gap_flow->write(out, time, step);
-      });
   }
 
 

@@ -87,7 +87,8 @@ TEST(GapFlow, carries_load_and_inertia)
   EXPECT_NEAR(last.oil_pressure / parameters.load.pressure, 1., 0.1);
 }
 
-// Up to what 40 quadratic columns make of the tool while it slides 55 nm a step.
+// Up to what 40 quadratic columns make of the tool while it slides 55 nm a
+// step.
 TEST(GapFlow, keeps_its_volume_in_every_step)
 {
   const CompleteRun run(flooded_scene());

@@ -77,7 +77,16 @@ namespace asperity
 
   private:
     void
+    build_surfaces(const SceneParameters &parameters);
+
+    void
     build_mesh(const SceneParameters &parameters);
+
+    void
+    build_chip(const SceneParameters &parameters);
+
+    void
+    build_contact(const SceneParameters &parameters);
 
     void
     build_boundaries();
@@ -90,6 +99,9 @@ namespace asperity
 
     void
     build_flow(const SceneParameters &parameters);
+
+    void
+    build_equilibrium(const DirectSolverKind linear_solver);
 
     dealii::Vector<double> initial_unknowns_;
 

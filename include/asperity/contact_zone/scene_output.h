@@ -50,6 +50,12 @@ namespace asperity
     void
     write_pictures(const SlidingRun &run);
 
+    void
+    write_chip(const SlidingRun &run);
+
+    void
+    write_contact_line(const unsigned int step, const double time);
+
     const SceneParameters         &parameters;
     const Scene                   &scene;
     std::unique_ptr<FrictionTable> table;
