@@ -25,14 +25,13 @@ namespace asperity
     const ElasticParameters &elasticity,
     const FlowStress        &flow_stress,
     const HeatingParameters &heating)
-    : law_name(name)
-    , elasticity(elasticity)
+    : MaterialLaw(elasticity)
+    , law_name(name)
     , flow_stress(flow_stress)
     , shear_modulus(elasticity.shear_modulus())
     , bulk_modulus(elasticity.bulk_modulus())
     , heating_coefficient(0.)
   {
-    elasticity.validate();
     if (heating.adiabatic)
       {
         if (!(heating.heat_capacity > 0.))
@@ -112,33 +111,6 @@ namespace asperity
         t,
         response.P,
         response.tangent);
-  }
-
-
-
-  template <class FlowStress>
-  double
-  FiniteStrainJ2<FlowStress>::density() const
-  {
-    return elasticity.density;
-  }
-
-
-
-  template <class FlowStress>
-  double
-  FiniteStrainJ2<FlowStress>::young_modulus() const
-  {
-    return elasticity.young_modulus;
-  }
-
-
-
-  template <class FlowStress>
-  double
-  FiniteStrainJ2<FlowStress>::poisson_ratio() const
-  {
-    return elasticity.poisson_ratio;
   }
 
 

@@ -42,12 +42,10 @@ namespace asperity
 
 
   StVenantKirchhoff::StVenantKirchhoff(const ElasticParameters &elasticity)
-    : elasticity(elasticity)
+    : MaterialLaw(elasticity)
     , lambda(elasticity.lame_lambda())
     , mu(elasticity.shear_modulus())
-  {
-    elasticity.validate();
-  }
+  {}
 
 
 
@@ -105,30 +103,6 @@ namespace asperity
 
 
 
-  double
-  StVenantKirchhoff::density() const
-  {
-    return elasticity.density;
-  }
-
-
-
-  double
-  StVenantKirchhoff::young_modulus() const
-  {
-    return elasticity.young_modulus;
-  }
-
-
-
-  double
-  StVenantKirchhoff::poisson_ratio() const
-  {
-    return elasticity.poisson_ratio;
-  }
-
-
-
   std::string
   StVenantKirchhoff::name() const
   {
@@ -138,12 +112,10 @@ namespace asperity
 
 
   NeoHooke::NeoHooke(const ElasticParameters &elasticity)
-    : elasticity(elasticity)
+    : MaterialLaw(elasticity)
     , lambda(elasticity.lame_lambda())
     , mu(elasticity.shear_modulus())
-  {
-    elasticity.validate();
-  }
+  {}
 
 
 
@@ -182,30 +154,6 @@ namespace asperity
                                      lambda * G[i][j] * G[k][l] -
                                      a * G[i][l] * G[k][j];
           }
-  }
-
-
-
-  double
-  NeoHooke::density() const
-  {
-    return elasticity.density;
-  }
-
-
-
-  double
-  NeoHooke::young_modulus() const
-  {
-    return elasticity.young_modulus;
-  }
-
-
-
-  double
-  NeoHooke::poisson_ratio() const
-  {
-    return elasticity.poisson_ratio;
   }
 
 

@@ -153,11 +153,11 @@ namespace asperity::law_tools
 
 
   /** Every law of the factory, with constants that show all of its terms. */
-  inline std::vector<std::unique_ptr<MaterialLaw>>
+  inline std::vector<std::shared_ptr<const MaterialLaw>>
   all_laws()
   {
-    std::vector<std::unique_ptr<MaterialLaw>> laws;
-    MaterialParameters                        parameters;
+    std::vector<std::shared_ptr<const MaterialLaw>> laws;
+    MaterialParameters                              parameters;
     parameters.hardening = {300e6, 500e6, 17., 1e8};
     for (const auto name : {MaterialLawName::johnson_cook,
                             MaterialLawName::saturation_hardening,

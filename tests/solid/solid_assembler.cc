@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
+#include "../constitutive/law_tools.h"
 #include "loaded_solid.h"
 
 namespace
 {
   using namespace loaded_solid;
+  using asperity::law_tools::all_laws;
 
   /** Two levels beyond the first, in a corner. */
   std::shared_ptr<SplineSpace>
@@ -15,24 +17,6 @@ namespace
       return low[0] < 0.2 && high[1] > 0.8;
     });
     return space;
-  }
-
-  std::vector<std::shared_ptr<const MaterialLaw>>
-  all_laws()
-  {
-    std::vector<std::shared_ptr<const MaterialLaw>> laws;
-    MaterialParameters                              parameters;
-    parameters.hardening = {300e6, 500e6, 17., 1e8};
-    for (const auto name : {MaterialLawName::johnson_cook,
-                            MaterialLawName::saturation_hardening,
-                            MaterialLawName::hencky,
-                            MaterialLawName::neo_hooke,
-                            MaterialLawName::st_venant_kirchhoff})
-      {
-        parameters.law = name;
-        laws.push_back(make_material_law(parameters));
-      }
-    return laws;
   }
 
   std::shared_ptr<const MaterialLaw>

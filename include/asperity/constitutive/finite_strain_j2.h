@@ -1,7 +1,6 @@
 #ifndef asperity_constitutive_finite_strain_j2_h
 #define asperity_constitutive_finite_strain_j2_h
 
-#include <asperity/constitutive/elastic_parameters.h>
 #include <asperity/constitutive/flow_stress.h>
 #include <asperity/constitutive/johnson_cook.h>
 #include <asperity/constitutive/material_law.h>
@@ -58,24 +57,14 @@ namespace asperity
              const bool           with_tangent,
              MaterialResponse    &response) const override;
 
-    double
-    density() const override;
-
-    double
-    young_modulus() const override;
-
-    double
-    poisson_ratio() const override;
-
     std::string
     name() const override;
 
   private:
-    std::string       law_name;
-    ElasticParameters elasticity;
-    FlowStress        flow_stress;
-    double            shear_modulus;
-    double            bulk_modulus;
+    std::string law_name;
+    FlowStress  flow_stress;
+    double      shear_modulus;
+    double      bulk_modulus;
     /** chi/(rho c_p) [K/Pa], 0 if isothermal. */
     double heating_coefficient;
   };

@@ -1,7 +1,6 @@
 #ifndef asperity_constitutive_hyperelasticity_h
 #define asperity_constitutive_hyperelasticity_h
 
-#include <asperity/constitutive/elastic_parameters.h>
 #include <asperity/constitutive/material_law.h>
 
 namespace asperity
@@ -24,18 +23,11 @@ namespace asperity
              const bool           with_tangent,
              MaterialResponse    &response) const override;
 
-    double
-    density() const override;
-    double
-    young_modulus() const override;
-    double
-    poisson_ratio() const override;
     std::string
     name() const override;
 
   private:
-    ElasticParameters elasticity;
-    double            lambda, mu;
+    double lambda, mu;
   };
 
   /**
@@ -57,18 +49,11 @@ namespace asperity
              const bool           with_tangent,
              MaterialResponse    &response) const override;
 
-    double
-    density() const override;
-    double
-    young_modulus() const override;
-    double
-    poisson_ratio() const override;
     std::string
     name() const override;
 
   private:
-    ElasticParameters elasticity;
-    double            lambda, mu;
+    double lambda, mu;
   };
 } // namespace asperity
 

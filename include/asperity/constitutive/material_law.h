@@ -1,6 +1,8 @@
 #ifndef asperity_constitutive_material_law_h
 #define asperity_constitutive_material_law_h
 
+#include <asperity/constitutive/elastic_parameters.h>
+
 #include <array>
 #include <string>
 
@@ -52,7 +54,8 @@ namespace asperity
 
   /**
    * A point law: a pure function (F, old state, dt) -> (P, dP/dF, new state,
-   * status), without mesh or degrees of freedom.
+   * status), without mesh or degrees of freedom. All are isotropically elastic
+   * at small strain.
    */
   class MaterialLaw
   {
@@ -73,20 +76,39 @@ namespace asperity
              const bool           with_tangent,
              MaterialResponse    &response) const = 0;
 
-    /** Reference mass density [kg/m^3]. */
-    virtual double
-    density() const = 0;
-
-    /** Young's modulus at small strain [Pa]; scales penalties. */
-    virtual double
-    young_modulus() const = 0;
-
-    /** Poisson's ratio at small strain. */
-    virtual double
-    poisson_ratio() const = 0;
-
     virtual std::string
     name() const = 0;
+
+    /** Reference mass density [kg/m^3]. */
+    double
+    density() const
+    {
+      return elasticity.density;
+    }
+
+    /** Young's modulus at small strain [Pa]; scales penalties. */
+    double
+    young_modulus() const
+    {
+      return elasticity.young_modulus;
+    }
+
+    /** Poisson's ratio at small strain. */
+    double
+    poisson_ratio() const
+    {
+      return elasticity.poisson_ratio;
+    }
+
+  protected:
+    /** @throws InputError if a constant has no physical meaning */
+    explicit MaterialLaw(const ElasticParameters &elasticity)
+      : elasticity(elasticity)
+    {
+      elasticity.validate();
+    }
+
+    const ElasticParameters elasticity;
   };
 } // namespace asperity
 
