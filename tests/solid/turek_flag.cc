@@ -25,38 +25,61 @@ TEST(TurekFlag, HangsAsInTheBenchmarkCsm2)
 
 
 
-// CSM3 is -14.305 +- 14.305 mm, -63.607 +- 65.160 mm at 1.0995 Hz, over the
-// last of ten seconds in steps of 0.005 s of an undamped method of second
-// order. In such steps the second bending mode, at 7 Hz, falls behind by a
-// quarter of its period in that time, and it shifts the extremes of a single
-// swing by 2 %. So the published numbers are compared with the same steps; the
-// limit of small steps has a test of its own (study:
+// CSM3 on the finest level of the benchmark, over the last of ten seconds of an
+// undamped method of second order. The published numbers are those of their
+// steps, not of the limit: from one step to the next they change by up to
+// 2.4 %, up and down, since the phase of the second bending mode decides by how
+// much it shifts the extremes of a single swing. So each step is compared with
+// its own row, and the limit of small steps has a test of its own (study:
 // tools/benchmarks/README.md).
 
-TEST(TurekFlag, SwingsAsInTheBenchmarkCsm3InTheSameSteps)
+struct PublishedSwing
 {
-  const double dt  = 0.005;
-  const auto   tip = swinging_flag(3, 12, 2, dt, 10., 1.);
-  const Swing  x = last_swing(tip, 0, dt), y = last_swing(tip, 1, dt);
-  EXPECT_NEAR(1e3 * x.mean / -14.305, 1., 1e-2);
-  EXPECT_NEAR(1e3 * x.amplitude / 14.305, 1., 1e-2);
-  EXPECT_NEAR(1e3 * y.mean / -63.607, 1., 1e-2);
-  EXPECT_NEAR(1e3 * y.amplitude / 65.160, 1., 1e-2);
-  EXPECT_NEAR(swing_frequency(tip, dt) / 1.0995, 1., 1e-2);
+  double dt;        // [s]
+  Swing  x, y;      // [mm]
+  double frequency; // [Hz]
+};
+
+
+
+TEST(TurekFlag, SwingsAsInTheBenchmarkCsm3StepForStep)
+{
+  std::vector<PublishedSwing> rows = {
+    {0.02, {-14.404, 14.408}, {-64.371, 64.695}, 1.0956},
+    {0.01, {-14.645, 14.650}, {-64.766, 64.948}, 1.0978},
+    {0.005, {-14.305, 14.305}, {-63.607, 65.160}, 1.0995}};
+#ifdef DEBUG
+  rows.resize(1);
+#endif
+  for (const auto &row : rows)
+    {
+      SCOPED_TRACE(row.dt);
+      const auto  tip = swinging_flag(3, 12, 2, row.dt, 10., 1.).tip;
+      const Swing x   = last_swing(tip, 0, row.dt),
+                  y   = last_swing(tip, 1, row.dt);
+      EXPECT_NEAR(1e3 * x.mean / row.x.mean, 1., 1e-2);
+      EXPECT_NEAR(1e3 * x.amplitude / row.x.amplitude, 1., 1e-2);
+      EXPECT_NEAR(1e3 * y.mean / row.y.mean, 1., 1e-2);
+      EXPECT_NEAR(1e3 * y.amplitude / row.y.amplitude, 1., 1e-2);
+      EXPECT_NEAR(swing_frequency(tip, row.dt) / row.frequency, 1., 1e-2);
+    }
 }
 
 
 
+#ifndef DEBUG
 TEST(TurekFlag, SwingsBetweenRestAndTwiceTheMeanInSmallSteps)
 {
   // Half the step changes these means over all swings by less than 0.3 %.
-  const double dt  = 0.0025;
-  const auto   tip = swinging_flag(3, 12, 2, dt, 10., 1.);
-  const Swing  x = mean_swing(tip, 0, dt), y = mean_swing(tip, 1, dt);
+  const double dt     = 0.0025;
+  const auto   motion = swinging_flag(3, 12, 2, dt, 10., 1.);
+  const Swing  x      = mean_swing(motion.tip, 0, dt),
+              y       = mean_swing(motion.tip, 1, dt);
   EXPECT_NEAR(1e3 * y.amplitude / 65.160, 1., 1e-2);
-  EXPECT_NEAR(swing_frequency(tip, dt) / 1.0995, 1., 1e-2);
-  // Nothing is lost: every swing comes back to where it started, at rest. The
-  // published swing, of amplitude 65.160 about -63.607, overshoots by 1.5 mm.
+  EXPECT_NEAR(swing_frequency(motion.tip, dt) / 1.0995, 1., 1e-2);
+  // Nothing is lost: every swing comes back to where it started, at rest.
+  EXPECT_LT(motion.energy_error, 1e-5);
   EXPECT_NEAR(x.mean, -x.amplitude, 1e-3 * x.amplitude);
   EXPECT_NEAR(y.mean, -y.amplitude, 1e-2 * y.amplitude);
 }
+#endif

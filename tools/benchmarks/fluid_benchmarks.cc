@@ -14,36 +14,14 @@
 
 #include <fluid/channel_examples.h>
 
-#include <functional>
-#include <iostream>
+#include <string>
+
+#include "markdown_table.h"
 
 namespace
 {
   using namespace flow_examples;
-
-  /** A row of a Markdown table, printed as soon as it is known. */
-  template <typename... Cells>
-  void
-  row(const Cells &...cells)
-  {
-    std::cout << "|";
-    ((std::cout << " " << cells << " |"), ...);
-    std::cout << std::endl;
-  }
-
-  /** A failed computation is a cell of the table, too. */
-  void
-  attempt(const std::function<void()> &action)
-  {
-    try
-      {
-        action();
-      }
-    catch (const std::exception &error)
-      {
-        row(std::string("failed: ") + error.what());
-      }
-  }
+  using namespace markdown_table;
 
   std::string
   element_name(const FluidElement element, const unsigned int degree)
