@@ -116,3 +116,14 @@ TEST(Restart, keeps_the_oil_of_a_film)
   for (const unsigned int stop : {2, 9})
     expect_identical_rest(parameters, stop);
 }
+
+TEST(Restart, keeps_the_flow_in_the_gap_and_what_the_coupling_has_learnt)
+{
+  SceneParameters parameters       = coarse_scene();
+  parameters.protocol.inertia      = Inertia::dynamic;
+  parameters.protocol.slide_steps  = 5;
+  parameters.lubrication.model     = LubricantModel::navier_stokes;
+  parameters.lubrication.mesh.rows = 1;
+  for (const unsigned int stop : {1, 6})
+    expect_identical_rest(parameters, stop);
+}

@@ -26,7 +26,7 @@ namespace asperity
     double residual_film = 2e-9;
 
     unsigned int columns_per_span = 1; ///< of the chip's edge
-    unsigned int rows             = 4; ///< between chip and tool
+    unsigned int rows             = 2; ///< between chip and tool
   };
 
 

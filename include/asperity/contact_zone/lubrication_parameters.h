@@ -33,7 +33,7 @@ namespace asperity
   struct FilmMeshParameters
   {
     unsigned int columns_per_span = 1; ///< of the chip's edge
-    unsigned int rows             = 4;
+    unsigned int rows             = 2;
 
     void
     declare(ParameterDeclarator &parameters);
