@@ -113,17 +113,20 @@ namespace asperity
       return sum / n;
     }
 
-    /** The rung that the numbers ask for. A void that is not full needs the
-     *  film even where hardly anything flows: oil that is dragged into the
-     *  contacts separates them, which no pressure of a whole pocket knows
-     *  (tools/benchmarks/README.md, "The lubricated scene"). */
+    /** The rung that the numbers ask for. In a void that is not full, oil has
+     *  to leave the gaps that close, and one pressure of a whole pocket knows
+     *  nothing of the films that hold them open until it has
+     *  (tools/benchmarks/README.md, "Thin oil"). */
     LubricantModel
-    choose_lubricant(const double wetting, const double flow_pressure)
+    choose_lubricant(const double wetting,
+                     const double flow_pressure,
+                     const double squeeze_pressure)
     {
       if (wetting == 0.)
         return LubricantModel::none;
-      return wetting == 1. && flow_pressure < 0.01 ? LubricantModel::pocket :
-                                                     LubricantModel::reynolds;
+      const bool yields = wetting == 1. || squeeze_pressure < 0.001;
+      return yields && flow_pressure < 0.01 ? LubricantModel::pocket :
+                                              LubricantModel::reynolds;
     }
 
     void
@@ -152,8 +155,17 @@ namespace asperity
       audit.entries.push_back(
         {"pressure differences by flow over the load",
          flow_pressure,
-         "below 0.01 one pressure describes the oil of a full void; else the "
-         "film's own pressure counts"});
+         "below 0.01 sliding leaves one pressure to the oil; else the film's "
+         "own pressure counts"});
+      const double ramp_time =
+        LoadProtocol(parameters.load, parameters.protocol).ramp_time();
+      const double squeeze_pressure =
+        12. * eta * asperity * asperity / (h * h * ramp_time * p);
+      audit.entries.push_back(
+        {"pressure by oil squeezed out of closing gaps over the load",
+         squeeze_pressure,
+         "in a void that is not full; below 0.001 the oil gives way before "
+         "the asperities touch; else it holds them apart"});
       audit.entries.push_back({"viscous shear over the load",
                                eta * v / (h * p),
                                "what the oil itself adds to mu"});
@@ -162,7 +174,9 @@ namespace asperity
          oil.density * v * h / eta * h / asperity,
          "far below 1 the oil has no inertia: Reynolds or Stokes"});
       if (lubrication.model == LubricantModel::automatic)
-        audit.lubricant = choose_lubricant(lubrication.wetting, flow_pressure);
+        audit.lubricant = choose_lubricant(lubrication.wetting,
+                                           flow_pressure,
+                                           squeeze_pressure);
       // Only its mass holds a chip whose balance and flow are solved in turn.
       if (fills_gap(audit.lubricant))
         audit.inertia = Inertia::dynamic;

@@ -142,12 +142,23 @@ TEST(SceneAudit, chooses_the_lubricant_model_by_the_flow)
               1. - std::pow(1. + 10. * 0.3 / 1.6, -0.1),
               1e-6);
 
+  // 12 eta l^2/(h^2 t p), as the surfaces close by h in the ramp of 50 ns
+  const double squeeze = 12. * 0.032 * l * l / (h * h * 50e-9 * 300e6);
+  EXPECT_NEAR(
+    number(audit, "pressure by oil squeezed out of closing gaps over the load"),
+    squeeze,
+    0.02 * squeeze);
+
   parameters.lubrication.wetting = 0.6;
   audit                          = audit_scene(parameters, scene);
   EXPECT_EQ(audit.lubricant, LubricantModel::reynolds);
-  parameters.lubrication.wetting = 1.;
-  parameters.load.velocity       = 200.;
-  audit                          = audit_scene(parameters, scene);
+  parameters.lubrication.oil.viscosity.viscosity = 0.032 * 0.9e-3 / squeeze;
+  audit = audit_scene(parameters, scene);
+  EXPECT_EQ(audit.lubricant, LubricantModel::pocket);
+  parameters.lubrication.oil.viscosity.viscosity = 0.032;
+  parameters.lubrication.wetting                 = 1.;
+  parameters.load.velocity                       = 200.;
+  audit = audit_scene(parameters, scene);
   EXPECT_EQ(audit.lubricant, LubricantModel::reynolds);
   parameters.lubrication.wetting = 0.;
   audit                          = audit_scene(parameters, scene);

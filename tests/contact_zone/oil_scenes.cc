@@ -161,3 +161,48 @@ TEST(FilmScene, slow_and_thin_oil_is_a_pocket)
   EXPECT_NEAR(a.oil_pressure, b.oil_pressure, 0.01 * b.oil_pressure);
   EXPECT_NEAR(a.void_volume, b.void_volume, 0.01 * b.void_volume);
 }
+
+TEST(FilmScene, thin_oil_in_part_of_the_void_gives_way_like_a_pocket)
+{
+  // Oil that has to leave the closing gaps holds them apart the longer the
+  // thicker it is; without viscosity what is left is the volume that it needs.
+  SceneParameters parameters = film_scene(0.6);
+  parameters.load.velocity   = 22.5 / 60.;
+  const auto mean_mu         = [&]() {
+    return CompleteRun(parameters).run.friction().mu;
+  };
+  parameters.lubrication.model = LubricantModel::pocket;
+  const double pocket          = mean_mu();
+  parameters.lubrication.model = LubricantModel::reynolds;
+  double last                  = 1.;
+  for (const double factor : {1., 0.03, 0.001})
+    {
+      parameters.lubrication.oil.viscosity.viscosity = 0.032 * factor;
+      const double error = std::abs(mean_mu() - pocket) / pocket;
+      EXPECT_LT(error, 0.5 * last) << factor;
+      last = error;
+    }
+  EXPECT_LT(last, 0.01);
+}
+
+TEST(FilmScene, chip_with_inertia_starts_and_carries_the_load)
+{
+  SceneParameters parameters  = film_scene(0.6);
+  parameters.protocol.inertia = Inertia::dynamic;
+  const CompleteRun dynamic(parameters);
+  const double      mass = dynamic.rows()[1].oil_reference_volume;
+  double            T_y  = 0.;
+  for (std::size_t i = 1; i < dynamic.rows().size(); ++i)
+    {
+      EXPECT_NEAR(dynamic.rows()[i].oil_reference_volume, mass, 1e-12 * mass);
+      T_y = dynamic.rows()[i].T_y;
+    }
+  // The waves of the ramp of 50 ns have died down, and the chip is where one
+  // without mass is.
+  EXPECT_NEAR(T_y, -dynamic.load(), 0.05 * dynamic.load());
+  parameters.protocol.inertia = Inertia::quasi_static;
+  const CompleteRun still(parameters);
+  EXPECT_NEAR(dynamic.run.friction().mu,
+              still.run.friction().mu,
+              0.05 * still.run.friction().mu);
+}
