@@ -162,7 +162,7 @@ namespace asperity
       const double squeeze_pressure =
         12. * eta * asperity * asperity / (h * h * ramp_time * p);
       audit.entries.push_back(
-        {"pressure by oil squeezed out of closing gaps over the load",
+        {"squeeze pressure in closing gaps over the load",
          squeeze_pressure,
          "in a void that is not full; below 0.001 the oil gives way before "
          "the asperities touch; else it holds them apart"});

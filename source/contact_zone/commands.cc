@@ -203,8 +203,7 @@ namespace asperity
                                " The last good state is in " +
                                parameters.output.directory + "/checkpoint.");
       }
-    const auto warnings =
-      warnings_of_run(audit.warnings, run.is_steady(), parameters);
+    const auto warnings = warnings_of_run(audit.warnings, run, parameters);
     output.finish(run, audit, warnings, timer.wall_time());
     progress.note("");
     print_result(run, scene.length, parameters, warnings, timer.wall_time());

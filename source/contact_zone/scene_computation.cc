@@ -1,6 +1,5 @@
 #include <asperity/contact_zone/scene_computation.h>
 #include <asperity/contact_zone/scene_input.h>
-#include <asperity/contact_zone/sliding_run.h>
 
 #include <cmath>
 
@@ -8,14 +7,23 @@ namespace asperity
 {
   std::vector<std::string>
   warnings_of_run(const std::vector<std::string> &warnings_of_audit,
-                  const bool                      is_steady,
+                  const SlidingRun               &run,
                   const SceneParameters          &parameters)
   {
     std::vector<std::string> warnings = warnings_of_audit;
-    if (parameters.protocol.window == FrictionWindow::steady && !is_steady)
+    if (parameters.protocol.window == FrictionWindow::steady &&
+        !run.is_steady())
       warnings.push_back(
         "mu is not steady after the maximal sliding distance of " +
         format_quantity(parameters.protocol.maximum_distance, "um") + ".");
+    const LubricantModel model = parameters.lubrication.model;
+    if ((model == LubricantModel::reynolds || fills_gap(model)) &&
+        run.friction().contact_fraction > 0.)
+      warnings.push_back(
+        "Where tool and chip touch, the oil is taken to be " +
+        format_quantity(parameters.lubrication.residual_film, "nm") +
+        " thick (Lubrication/Residual film); no model tells this thickness, "
+        "and mu depends on it by some per cent: vary it.");
     return warnings;
   }
 
@@ -37,8 +45,7 @@ namespace asperity
       parameters.protocol.window == FrictionWindow::time || run.is_steady();
     result.steps             = run.state().step;
     result.newton_iterations = run.newton_statistics().iterations;
-    result.warnings =
-      warnings_of_run(audited.audit.warnings, result.is_steady, parameters);
+    result.warnings = warnings_of_run(audited.audit.warnings, run, parameters);
     if (result.friction.T_y != 0.)
       result.oil_load_share = result.friction.oil_pressure *
                               audited.scene->length /

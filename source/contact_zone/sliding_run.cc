@@ -163,7 +163,13 @@ namespace asperity
         ConvergenceReport report =
           newton(*scene.equilibrium, u, options, statistics);
         if (!report.converged)
-          return report;
+          {
+            const std::string in_oil =
+              scene.lubricant ? scene.lubricant->reason() : "";
+            if (!in_oil.empty())
+              report.reason = in_oil;
+            return report;
+          }
         const Lubricant::Exchange exchange = scene.lubricant ?
                                                scene.lubricant->exchange(u) :
                                                Lubricant::Exchange::converged;

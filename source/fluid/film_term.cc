@@ -279,7 +279,7 @@ namespace asperity
   std::string
   FilmTerm::reason() const
   {
-    return failure;
+    return failure.empty() ? film.warning(film_geometry, states) : failure;
   }
 
 

@@ -179,7 +179,9 @@ namespace asperity
   std::string
   SealedPocket::reason() const
   {
-    return "the volume of the incompressible oil was not met";
+    return n_passes_ > maximal_passes ?
+             "the volume of the incompressible oil was not met" :
+             "";
   }
 
 

@@ -144,10 +144,9 @@ TEST(SceneAudit, chooses_the_lubricant_model_by_the_flow)
 
   // 12 eta l^2/(h^2 t p), as the surfaces close by h in the ramp of 50 ns
   const double squeeze = 12. * 0.032 * l * l / (h * h * 50e-9 * 300e6);
-  EXPECT_NEAR(
-    number(audit, "pressure by oil squeezed out of closing gaps over the load"),
-    squeeze,
-    0.02 * squeeze);
+  EXPECT_NEAR(number(audit, "squeeze pressure in closing gaps over the load"),
+              squeeze,
+              0.02 * squeeze);
 
   parameters.lubrication.wetting = 0.6;
   audit                          = audit_scene(parameters, scene);

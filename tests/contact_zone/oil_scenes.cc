@@ -1,3 +1,5 @@
+#include <asperity/base/errors.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -205,4 +207,25 @@ TEST(FilmScene, chip_with_inertia_starts_and_carries_the_load)
   EXPECT_NEAR(dynamic.run.friction().mu,
               still.run.friction().mu,
               0.05 * still.run.friction().mu);
+}
+
+TEST(FilmScene, pressure_that_runs_away_ends_the_run_with_a_sentence)
+{
+  // Barus at 1.3 GPa on full voids: exp(19 * 1.3) times the viscosity.
+  SceneParameters parameters                        = film_scene(1.);
+  parameters.load.pressure                          = 1300e6;
+  parameters.lubrication.oil.viscosity.pressure_law = PressureLaw::barus;
+  try
+    {
+      const CompleteRun run(parameters);
+      ADD_FAILURE() << "expected a ComputationError";
+    }
+  catch (const ComputationError &error)
+    {
+      const std::string message = error.what();
+      EXPECT_NE(message.find("the lubricant's viscosity"), std::string::npos)
+        << message;
+      EXPECT_NE(message.find("its pressure runs away"), std::string::npos)
+        << message;
+    }
 }

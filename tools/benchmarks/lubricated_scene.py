@@ -10,6 +10,8 @@ Usage: tools/benchmarks/lubricated_scene.py [--asperity PROGRAM] [--to FOLDER]
   wetting  mu, contact fraction and oil pressure over the wetting, pocket and
            Reynolds, at 300 MPa, 200 m/min, 25 degC
   film     the Reynolds rung over the thickness of its residual film
+  thin     the Reynolds rung at wetting 0.6 with oil that is ever thinner, and
+           the pocket that it must become
 
 Tables go to the screen in Markdown, charts as PNG into FOLDER (default
 output/benchmarks). Run it on a quiet machine; compare within one run only.
@@ -119,6 +121,35 @@ def film(arguments):
         print(f"| {thickness} | {row(summary)} |", flush=True)
 
 
+def thin(arguments):
+    print_head("v [m/min] | oil | " + HEAD)
+    plt = pyplot()
+    figure, axes = plt.subplots(figsize=(5.5, 3.8))
+    factors = (1, 0.1, 0.01, 1e-3, 1e-4)
+    for velocity, colour in ((22.5, COLOURS["pocket"]),
+                             (200, COLOURS["Reynolds"])):
+        case = load_case(300, velocity, 25)
+        pocket = run(arguments, f"thin_v{velocity}_pocket",
+                     {**case, **rung("pocket", 0.6)})
+        print(f"| {velocity} | pocket | {row(pocket)} |", flush=True)
+        curve = []
+        for factor in factors:
+            summary = run(arguments, f"thin_v{velocity}_{factor:g}",
+                          {**case, **rung("Reynolds", 0.6),
+                           "Lubricant/Viscosity": f"{0.032 * factor} Pa s"})
+            curve.append(summary["friction"]["mu"])
+            print(f"| {velocity} | viscosity x {factor:g} | {row(summary)} |",
+                  flush=True)
+        axes.semilogx(factors, curve, "o-", ms=4, color=colour,
+                      label=f"film, {velocity} m/min")
+        axes.axhline(pocket["friction"]["mu"], color=colour, ls=":",
+                     label=f"pocket, {velocity} m/min")
+    axes.set(xlabel="viscosity over that of the oil", ylabel="mu")
+    axes.grid(alpha=0.3)
+    axes.legend(fontsize=8)
+    save(figure, arguments, "thin_oil.png")
+
+
 def pyplot():
     import matplotlib
     matplotlib.use("Agg")
@@ -131,7 +162,7 @@ def save(figure, arguments, name):
     figure.savefig(os.path.join(arguments.to, name), dpi=120)
 
 
-TASKS = {"ladder": ladder, "wetting": wetting, "film": film}
+TASKS = {"ladder": ladder, "wetting": wetting, "film": film, "thin": thin}
 
 
 def main():

@@ -3,6 +3,7 @@
 
 #include <asperity/contact_zone/friction_result.h>
 #include <asperity/contact_zone/scene_parameters.h>
+#include <asperity/contact_zone/sliding_run.h>
 
 #include <string>
 #include <vector>
@@ -35,7 +36,7 @@ namespace asperity
   /** Warnings of the audit and of a run that has ended. */
   std::vector<std::string>
   warnings_of_run(const std::vector<std::string> &warnings_of_audit,
-                  const bool                      is_steady,
+                  const SlidingRun               &run,
                   const SceneParameters          &parameters);
 } // namespace asperity
 

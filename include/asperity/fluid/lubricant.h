@@ -62,7 +62,8 @@ namespace asperity
       return Exchange::converged;
     }
 
-    /** Why exchange() or add() failed. */
+    /** Why exchange() or add() failed, or what in the oil keeps its balance with
+     *  the chip from a solution; empty if it knows of nothing. */
     virtual std::string
     reason() const
     {
