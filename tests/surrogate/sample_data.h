@@ -43,6 +43,25 @@ namespace asperity
     return data;
   }
 
+  /** Of three inputs. */
+  inline double
+  smooth(const std::vector<double> &x)
+  {
+    return std::sin(3. * x[0]) + 0.5 * std::cos(5. * x[1] * x[2]);
+  }
+
+  /** Defined for any number of inputs. */
+  inline double
+  wavy(const std::vector<double> &x)
+  {
+    double sum = 0.3;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      sum += std::sin((3. + i) * x[i]) * (1. + x[(i + 1) % x.size()]);
+    return sum;
+  }
+
+  inline const Hyperparameters three_inputs{1.7, {0.6, 0.9, 1.3}, 1e-3};
+
   inline const std::vector<KernelKind> all_kernels = {KernelKind::rbf,
                                                       KernelKind::matern_3_2,
                                                       KernelKind::matern_5_2};
