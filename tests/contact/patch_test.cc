@@ -1,4 +1,5 @@
 #include <asperity/constitutive/hyperelasticity.h>
+#include <asperity/splines/refinement.h>
 
 #include <gtest/gtest.h>
 
@@ -51,12 +52,17 @@ namespace
     return penalty * (shift - (1. - low));
   }
 
+  KnotVector
+  block_columns(const unsigned int degree)
+  {
+    return KnotVector(degree, {0., 0.3, 0.5, 0.9, 1.3, 1.5, 2.});
+  }
+
   std::shared_ptr<SplineSpace>
   block(const unsigned int degree, const bool refined)
   {
     auto space = std::make_shared<SplineSpace>(
-      KnotVector(degree, {0., 0.3, 0.5, 0.9, 1.3, 1.5, 2.}),
-      KnotVector(degree, {0., 0.3, 0.6, 0.8, 1.}));
+      block_columns(degree), KnotVector(degree, {0., 0.3, 0.6, 0.8, 1.}));
     if (refined)
       space->refine_to_level(2, [](const Point<2> &low, const Point<2> &high) {
         return low[0] < 0.35 && high[1] > 0.9;
@@ -65,23 +71,28 @@ namespace
   }
 
   /**
-   * A block under a rigid ceiling: (degree, formulation, locally refined edge).
-   * The scene's tool is rigid, so this is the patch test it needs; contact of
-   * two meshes, which this program has not, would need that of two blocks.
+   * A block under a rigid ceiling, a half-plane or a spline whose knots lie
+   * elsewhere: (degree, formulation, locally refined edge, spline). The scene's
+   * tool is rigid, so this is the patch test it needs; contact of two meshes,
+   * which this program has not, would need that of two blocks.
    */
   class PatchTest : public testing::TestWithParam<
-                      std::tuple<unsigned int, ContactFormulation, bool>>
+                      std::tuple<unsigned int, ContactFormulation, bool, bool>>
   {};
 
   TEST_P(PatchTest, PressureOfAUniformlyPressedBlockIsUniform)
   {
-    const auto [degree, formulation, refined] = GetParam();
+    const auto [degree, formulation, refined, spline] = GetParam();
     ContactOptions options;
     options.formulation = formulation;
     options.penalty     = 1e8;
+    std::shared_ptr<const RigidObstacle> ceiling =
+      std::make_shared<example::Ceiling>(1.);
+    if (spline)
+      ceiling = example::periodic_tool([](const double) { return 1.; }, 2., 7);
     example::ContactProblem problem(block(degree, refined),
                                     std::make_shared<NeoHooke>(elasticity()),
-                                    std::make_shared<example::Ceiling>(1.),
+                                    ceiling,
                                     options,
                                     example::Support::rollers);
     problem.options.tolerance      = 1e-8;
@@ -102,13 +113,119 @@ namespace
     testing::Combine(testing::Values(1u, 2u, 3u),
                      testing::Values(ContactFormulation::mortar,
                                      ContactFormulation::gauss_point),
+                     testing::Bool(),
                      testing::Bool()),
     [](const auto &info) {
       return std::string(std::get<1>(info.param) == ContactFormulation::mortar ?
                            "Mortar" :
                            "GaussPoint") +
              "Degree" + std::to_string(std::get<0>(info.param)) +
-             (std::get<2>(info.param) ? "Refined" : "Uniform");
+             (std::get<2>(info.param) ? "Refined" : "Uniform") +
+             (std::get<3>(info.param) ? "Spline" : "Plane");
+    });
+
+  /** The parallel of a curve at a distance, on the side of the body; of its
+   *  curvature, which the residual does not need, nothing is said. */
+  class Parallel : public RigidObstacle
+  {
+  public:
+    Parallel(const SplineCurve &curve, const double distance)
+      : curve(curve, CurveSide::right)
+      , distance(distance)
+    {}
+
+    GapPoint
+    gap(const Point<2> &x, double &hint) const override
+    {
+      GapPoint gap = curve.gap(x, hint);
+      gap.gap -= distance;
+      return gap;
+    }
+
+  private:
+    CurveObstacle curve;
+    double        distance;
+  };
+
+  class CurvedPatchTest : public testing::TestWithParam<
+                            std::tuple<unsigned int, ContactFormulation>>
+  {};
+
+  // Under one pressure from all sides a body of any shape shrinks by one
+  // stretch s. Its curved edge, shrunk, is a spline again, so that a tool with
+  // other knots can follow it at a distance, and the exact solution is one of
+  // the discrete problem: all forces on functions without other supports
+  // vanish.
+  TEST_P(CurvedPatchTest, HydrostaticPressureIsInEquilibrium)
+  {
+    const auto [degree, formulation] = GetParam();
+    const auto          space        = block(degree, false);
+    const PatchGeometry geometry =
+      PatchGeometry::from_map(*space, [](const Point<2> &xi) {
+        return Point<2>(xi[0], xi[1] * (1. + 0.1 * std::sin(3. * xi[0])));
+      });
+    const auto identity = space->project(
+      [](const Point<2> &xi) {
+        return std::vector<double>{xi[0], xi[1]};
+      },
+      2);
+    const auto position = [&](const unsigned int a) {
+      return Point<2>(identity[0][a] + geometry.offset[a][0],
+                      identity[1][a] + geometry.offset[a][1]);
+    };
+
+    const double s      = 0.97;
+    const double lambda = elasticity().lame_lambda(),
+                 mu     = elasticity().shear_modulus();
+    // nominal stress mu (s - 1/s) + 2 lambda ln s/s, here as a pressure
+    const double pressure = mu * (1. / s - s) - 2. * lambda * std::log(s) / s;
+    const double penalty  = 1e8;
+
+    std::vector<Point<2>> points;
+    for (const unsigned int a : space->edge_functions(Edge::top))
+      points.emplace_back(s * position(a)[0], s * position(a)[1]);
+    const SplineCurve edge(block_columns(degree), points);
+    ContactOptions    options;
+    options.formulation = formulation;
+    options.penalty     = penalty;
+    SolidAssembler   solid(space,
+                         geometry,
+                         std::make_shared<NeoHooke>(elasticity()));
+    ContactAssembler contact(space,
+                             geometry,
+                             Edge::top,
+                             std::make_shared<Parallel>(
+                               insert_knots(edge, {0.15, 0.7, 0.75, 1.1, 1.9}),
+                               pressure / penalty),
+                             options);
+
+    dealii::Vector<double> u(2 * space->n_functions()), R(u), forces(u);
+    for (unsigned int a = 0; a < space->n_functions(); ++a)
+      for (unsigned int i = 0; i < 2; ++i)
+        u(2 * a + i) = (s - 1.) * position(a)[i];
+    ASSERT_TRUE(contact.add(u, R, nullptr));
+    const double contact_force = R.linfty_norm();
+    ASSERT_TRUE(solid.add(u, R, nullptr));
+    for (const Edge supported : {Edge::left, Edge::right, Edge::bottom})
+      for (const unsigned int a : space->edge_functions(supported))
+        R(2 * a) = R(2 * a + 1) = 0.;
+    EXPECT_GT(contact_force, 0.01 * pressure);
+    EXPECT_LT(R.linfty_norm(), 1e-11 * pressure);
+    for (const double p : contact.pressure())
+      EXPECT_NEAR(p, pressure, 1e-9 * pressure);
+  }
+
+  INSTANTIATE_TEST_SUITE_P(
+    ,
+    CurvedPatchTest,
+    testing::Combine(testing::Values(1u, 2u, 3u),
+                     testing::Values(ContactFormulation::mortar,
+                                     ContactFormulation::gauss_point)),
+    [](const auto &info) {
+      return std::string(std::get<1>(info.param) == ContactFormulation::mortar ?
+                           "Mortar" :
+                           "GaussPoint") +
+             "Degree" + std::to_string(std::get<0>(info.param));
     });
 
   TEST(ActiveSet, SettlesWhenFlatBodiesTouchWithoutLoad)
