@@ -99,7 +99,7 @@ extern "C"
    * trusted: n times 1 if the point lies in the box of the training data and
    * the deviation is small, else 0; or NULL
    *
-   * mu alone takes about a tenth of the time of sigma and trusted.
+   * mu alone takes a fraction of the time of sigma and trusted.
    */
   ASPERITY_FRICTION_API int
   asperity_friction_eval(const asperity_friction_law *law,

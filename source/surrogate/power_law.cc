@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "lapack.h"
 
@@ -237,19 +238,21 @@ namespace asperity
       {
         const double v_0 =
           found->lower * std::exp(runs.scale(v) * i / n_candidates);
-        // two runs beyond v_0 at least, or the exponent means nothing
-        std::vector<double> a, velocities;
+        std::vector<double> a;
+        std::set<double>    beyond;
+        std::size_t         n_beyond = 0;
         for (std::size_t row = 0; row < runs.y.size(); ++row)
           {
             a.push_back(1.);
             a.push_back(runs.column(row, v, v_0));
             const double velocity = runs.x[row * inputs.size() + v];
-            if (velocity > v_0 &&
-                std::find(velocities.begin(), velocities.end(), velocity) ==
-                  velocities.end())
-              velocities.push_back(velocity);
+            if (velocity > v_0)
+              {
+                beyond.insert(velocity);
+                ++n_beyond;
+              }
           }
-        if (velocities.size() < 2)
+        if (beyond.size() < 2 || 4 * n_beyond < runs.y.size())
           break;
         const LeastSquares fit(a, runs.y);
         if (fit.sum_of_squares() >= best)

@@ -48,7 +48,8 @@ namespace asperity
    * constant up to a velocity v_0 and a power function beyond it (dry, there
    * with v_0 = 46 m/min); without the constant part if the runs want none (its
    * lubricated law). v_0, the floor of the velocity, is the one of 200 over the
-   * range that fits best.
+   * range that fits best with a quarter of the runs, and two velocities, beyond
+   * it; the left-out error is at this v_0.
    *
    * @throws InputError as fit_power_law(), or if no input has the symbol v
    */
