@@ -12,6 +12,8 @@ TEST_F(Commands, help_lists_every_command)
                                     "asperity check FILE.prm",
                                     "asperity parameters [--campaign]",
                                     "asperity characterize FILE.prm",
+                                    "asperity predict LAW",
+                                    "asperity export LAW DIRECTORY",
                                     "asperity topography FILE.prm"})
     EXPECT_NE(result.output.find(command), std::string::npos) << command;
 }
