@@ -61,6 +61,21 @@ namespace
   }
 
   int
+  run_file(const std::string &file)
+  {
+    if (describes_campaign(file))
+      throw InputError(file + " describes a campaign; 'asperity characterize " +
+                       file + "' runs it.");
+    return run_scene(file);
+  }
+
+  int
+  check_file(const std::string &file)
+  {
+    return describes_campaign(file) ? check_campaign(file) : check_scene(file);
+  }
+
+  int
   print_parameters(const Arguments &arguments)
   {
     bool markdown = false, campaign = false;
@@ -93,10 +108,10 @@ namespace
     static const std::vector<Command> table = {
       {"run FILE.prm",
        "run the scene; 'asperity FILE.prm' is the same",
-       on_file(run_scene)},
+       on_file(run_file)},
       {"check FILE.prm",
        "validate the input, print audit, models and size; run nothing",
-       on_file(check_scene)},
+       on_file(check_file)},
       {"parameters [--campaign] [--markdown]",
        "explain every parameter",
        print_parameters},
@@ -178,7 +193,7 @@ namespace
     if (arguments.size() > 1)
       throw InputError("One parameter file is expected, but '" + arguments[1] +
                        "' follows '" + word + "'.");
-    return run_scene(word);
+    return run_file(word);
   }
 
   /**

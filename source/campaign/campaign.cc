@@ -103,20 +103,7 @@ namespace asperity
   std::string
   Campaign::description() const
   {
-    std::string text = "Campaign: " + parameters.base_scene + ", " +
-                       std::to_string(plan_.n_points(false)) +
-                       " training points";
-    if (parameters.design.batch > 0)
-      text += " (up to " + std::to_string(parameters.design.maximum_runs) +
-              " by active learning)";
-    text += ", " + std::to_string(plan_.n_points(true)) + " test points";
-    if (plan_.n_profiles() > 1)
-      text += ", each on " + std::to_string(plan_.n_profiles()) + " profiles";
-    text += "\n";
-    for (const LawInput &input : plan_.inputs())
-      text += "  " + input.symbol + ": " + input.name + ", " +
-              format_quantity(input.lower, input.unit) + " to " +
-              format_quantity(input.upper, input.unit) + "\n";
+    std::string       text   = plan_.description(parameters);
     const std::size_t n_open = open_orders().size();
     const std::size_t n_all  = plan_.points().size() * plan_.n_profiles();
     if (n_open < n_all)

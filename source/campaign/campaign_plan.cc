@@ -171,6 +171,27 @@ namespace asperity
 
 
 
+  std::string
+  CampaignPlan::description(const CampaignParameters &parameters) const
+  {
+    std::string text = "Campaign: " + parameters.base_scene + ", " +
+                       std::to_string(n_points(false)) + " training points";
+    if (parameters.design.batch > 0)
+      text += " (up to " + std::to_string(parameters.design.maximum_runs) +
+              " by active learning)";
+    text += ", " + std::to_string(n_points(true)) + " test points";
+    if (n_profiles() > 1)
+      text += ", each on " + std::to_string(n_profiles()) + " profiles";
+    text += "\n";
+    for (const LawInput &input : inputs_)
+      text += "  " + input.symbol + ": " + input.name + ", " +
+              format_quantity(input.lower, input.unit) + " to " +
+              format_quantity(input.upper, input.unit) + "\n";
+    return text;
+  }
+
+
+
   void
   CampaignPlan::follow(const std::vector<double> &design, const bool test)
   {

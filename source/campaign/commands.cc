@@ -1,27 +1,46 @@
+#include <asperity/base/parameter_file.h>
 #include <asperity/base/version.h>
 #include <asperity/campaign/campaign_report.h>
 #include <asperity/campaign/commands.h>
+#include <asperity/contact_zone/commands.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/timer.h>
 
+#include <algorithm>
 #include <iostream>
 
 namespace asperity
 {
+  namespace
+  {
+    struct CampaignInput
+    {
+      explicit CampaignInput(const std::string &file)
+        : declarator(handler)
+      {
+        parameters.declare(declarator);
+        declarator.read_file(file);
+        parameters.check(declarator);
+      }
+
+      dealii::ParameterHandler handler;
+      ParameterDeclarator      declarator;
+      CampaignParameters       parameters;
+    };
+  } // namespace
+
+
+
   int
   characterize(const std::string &file)
   {
-    dealii::Timer            timer;
-    dealii::ParameterHandler handler;
-    ParameterDeclarator      declarator(handler);
-    CampaignParameters       parameters;
-    parameters.declare(declarator);
-    declarator.read_file(file);
-    parameters.check(declarator);
+    dealii::Timer             timer;
+    const CampaignInput       input(file);
+    const CampaignParameters &parameters = input.parameters;
 
-    Campaign   campaign(parameters, declarator, MPI_COMM_WORLD);
+    Campaign   campaign(parameters, input.declarator, MPI_COMM_WORLD);
     const bool is_first =
       dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
     if (is_first)
@@ -31,6 +50,37 @@ namespace asperity
     if (is_first)
       report_campaign(parameters, campaign, timer.wall_time(), std::cout);
     return 0;
+  }
+
+
+
+  int
+  check_campaign(const std::string &file)
+  {
+    const CampaignInput       input(file);
+    const CampaignParameters &parameters = input.parameters;
+    CampaignPlan              plan(parameters, input.declarator);
+    plan.start(parameters, parameters.directory + "/plan.json");
+    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+      return 0;
+    std::cout << plan.description(parameters);
+    check_scene(parameters.base_scene);
+    std::cout << file << " is valid.\n";
+    return 0;
+  }
+
+
+
+  bool
+  describes_campaign(const std::string &file)
+  {
+    const auto lines = read_parameter_lines(file);
+    return std::any_of(lines.begin(),
+                       lines.end(),
+                       [](const ParameterLine &line) {
+                         return !line.subsections.empty() &&
+                                line.subsections.front() == "Campaign";
+                       });
   }
 
 

@@ -106,6 +106,31 @@ TEST_F(Characterize, two_ranks_and_kills_do_not_change_the_result)
             read("one/friction_law.json").size());
 }
 
+TEST_F(Characterize, check_tells_the_plan_and_the_scene_and_writes_nothing)
+{
+  write("one.prm", campaign("one"));
+  const Result checked = run("check one.prm");
+  EXPECT_EQ(checked.status, 0) << checked.errors;
+  for (const std::string text :
+       {"6 training points (up to 10 by active learning), 2 test points",
+        "p: Load/Pressure, 300 MPa to 1300 MPa",
+        "Scene audit:",
+        "scene.prm is valid.",
+        "one.prm is valid."})
+    EXPECT_NE(checked.output.find(text), std::string::npos) << text;
+  EXPECT_FALSE(std::filesystem::exists(folder / "one"));
+}
+
+TEST_F(Characterize, a_campaign_is_not_run_as_a_scene)
+{
+  write("one.prm", campaign("one"));
+  const Result result = run("one.prm");
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(result.errors,
+            "Error: one.prm describes a campaign; 'asperity characterize "
+            "one.prm' runs it.\n");
+}
+
 TEST_F(Characterize, wrong_input_ends_with_one_sentence)
 {
   const auto errors = [&](const std::string &text) {

@@ -47,6 +47,11 @@ namespace asperity
     const std::string &
     base_scene_text() const;
 
+    /** Scene, number of points, and the inputs with their ranges, for people.
+     */
+    std::string
+    description(const CampaignParameters &parameters) const;
+
     void
     add(const bool test, const std::vector<double> &x);
 

@@ -15,6 +15,19 @@ namespace asperity
   int
   characterize(const std::string &file);
 
+  /**
+   * `asperity check FILE.prm` of a campaign: validates it and its base scene,
+   * prints points, inputs and the audit of that scene; computes and writes
+   * nothing.
+   * @return exit status
+   */
+  int
+  check_campaign(const std::string &file);
+
+  /** Whether a parameter file has a subsection Campaign. */
+  bool
+  describes_campaign(const std::string &file);
+
   /** Every parameter of a campaign, for `asperity parameters --campaign`; the
    *  variables live as long as the program. */
   void
