@@ -36,13 +36,16 @@ def load_case(pressure, velocity, temperature):
             "Load/Temperature": f"{temperature} degC"}
 
 
-def run(arguments, name, entries):
-    """Runs the default scene with some entries changed; returns its summary."""
+def run(arguments, name, entries, include=None):
+    """Runs the default scene, or that of a file, with some entries changed;
+    returns its summary."""
     folder = os.path.join(arguments.to, name)
     os.makedirs(folder, exist_ok=True)
     file = os.path.join(folder, "scene.prm")
     entries = {**QUIET, **entries, "Output/Output directory": folder}
     with open(file, "w", encoding="utf-8") as out:
+        if include is not None:
+            out.write(f"include {include}\n")
         for path, value in entries.items():
             section, key = path.split("/")
             out.write(f"subsection {section}\n  set {key} = {value}\nend\n")

@@ -12,12 +12,15 @@ Usage: tools/benchmarks/lubricated_scene.py [--asperity PROGRAM] [--to FOLDER]
   film     the Reynolds rung over the thickness of its residual film
   thin     the Reynolds rung at wetting 0.6 with oil that is ever thinner, and
            the pocket that it must become
+  flooded  the sixteen reference scenes full of oil, with the dissertation's
+           model (dynamic, Navier-Stokes) and with what the audit chooses
 
 Tables go to the screen in Markdown, charts as PNG into FOLDER (default
 output/benchmarks). Run it on a quiet machine; compare within one run only.
 """
 
 import argparse
+import csv
 import os
 
 from dry_scene import ROOT, load_case, print_head, run
@@ -25,6 +28,9 @@ from dry_scene import ROOT, load_case, print_head, run
 CASES = [(p, v, T) for p in (300, 1300) for v in (22.5, 200) for T in (25, 675)]
 HEAD = ("mu | contact fraction | oil pressure [MPa] | share of the load | "
         "mu by shear | steps | Newton iterations | wall time [s]")
+FLOODED = {"dissertation": {},
+           "audit": {"Lubrication/Model": "automatic",
+                     "Protocol/Inertia": "automatic"}}
 COLOURS = {"none": "#9aa0a6", "pocket": "#12355b", "Reynolds": "#c1553b",
            "Stokes": "#6a8d73", "Navier-Stokes": "#8e6bbf"}
 
@@ -76,12 +82,8 @@ def chart_ladder(arguments, results):
                      [results[case, of_model, model] for case in CASES],
                      width, label="dry" if model == "none" else model,
                      color=COLOURS[model])
-        axes.set_xticks(range(len(CASES)),
-                        ["{} MPa\n{} m/min\n{} °C".format(*case)
-                         for case in CASES], fontsize=7)
+        label_cases(axes)
         axes.set_title(f"wetting {wetting:g}", fontsize=10)
-        axes.grid(axis="y", alpha=0.3)
-        axes.legend(fontsize=8)
     panels[0].set_ylabel("mu")
     save(figure, arguments, "lubricant_ladder.png")
 
@@ -150,6 +152,80 @@ def thin(arguments):
     save(figure, arguments, "thin_oil.png")
 
 
+def flooded(arguments):
+    print_head("scene | p [MPa] | v [m/min] | T [degC] | model | mu | mu end | "
+               "contact fraction | oil pressure [MPa] | share of the load | "
+               "mu by shear | mean film [nm] | steps | iterations a step | "
+               "core time [s]")
+    results = {}
+    for scene in ("R0", "R1"):
+        for case in CASES:
+            for model in FLOODED:
+                summary, rows, seconds = run_flooded(arguments, scene, case,
+                                                     model)
+                results[scene, case, model] = summary["friction"]["mu"]
+                print("| {} | {} | {} | {} | ".format(scene, *case) +
+                      f"{flooded_row(summary, rows)} | {seconds:.1f} |",
+                      flush=True)
+    chart_flooded(arguments, results)
+
+
+def run_flooded(arguments, scene, case, model):
+    """The reference scene by a model: its summary, the rows of its
+    friction.csv, and the processor seconds that it took."""
+    before = os.times()
+    name = "lubricated_{}_p{}_v{}_T{}".format(scene, *case)
+    summary = run(arguments, f"{name}_{model}", FLOODED[model],
+                  include=os.path.join(ROOT, "parameter_files",
+                                       "reference_scenes", name + ".prm"))
+    with open(os.path.join(arguments.to, f"{name}_{model}", "friction.csv"),
+              encoding="utf-8") as table:
+        rows = list(csv.DictReader(table))
+    after = os.times()
+    return summary, rows, (after.children_user - before.children_user +
+                           after.children_system - before.children_system)
+
+
+def flooded_row(summary, rows):
+    friction, oil, cost = (summary["friction"], summary["oil"],
+                           summary["cost"])
+    begin = friction["window"][0]
+    films = [float(r["mean gap [m]"]) for r in rows
+             if float(r["time [s]"]) >= begin]
+    coupled = sum(float(r["coupling iterations [-]"]) for r in rows)
+    iterations = coupled if coupled > 0 else cost["newton_iterations"]
+    return (f"{summary['models']['lubricant']} | {friction['mu']:.5f} | "
+            f"{friction['mu_end']:.5f} | {summary['contact_fraction']:.4f} | "
+            f"{oil['pressure'] * 1e-6:.1f} | {oil['load_share']:.3f} | "
+            f"{abs(oil['T_x_shear'] / friction['T_y']):.5f} | "
+            f"{1e9 * sum(films) / len(films):.0f} | {cost['steps']} | "
+            f"{iterations / cost['steps']:.1f}")
+
+
+def chart_flooded(arguments, results):
+    plt = pyplot()
+    figure, panels = plt.subplots(1, 2, figsize=(11, 4), sharey=True)
+    for axes, scene in zip(panels, ("R0", "R1")):
+        for i, model in enumerate(FLOODED):
+            axes.bar([j + (i - 0.5) * 0.4 for j in range(len(CASES))],
+                     [results[scene, case, model] for case in CASES], 0.4,
+                     label=("the dissertation's model",
+                            "what the audit chooses")[i],
+                     color=(COLOURS["Navier-Stokes"], COLOURS["Reynolds"])[i])
+        label_cases(axes)
+        axes.set_title(f"{scene}, gap full of oil", fontsize=10)
+    panels[0].set_ylabel("mu")
+    save(figure, arguments, "flooded.png")
+
+
+def label_cases(axes):
+    axes.set_xticks(range(len(CASES)),
+                    ["{} MPa\n{} m/min\n{} °C".format(*case)
+                     for case in CASES], fontsize=7)
+    axes.grid(axis="y", alpha=0.3)
+    axes.legend(fontsize=8)
+
+
 def pyplot():
     import matplotlib
     matplotlib.use("Agg")
@@ -162,7 +238,8 @@ def save(figure, arguments, name):
     figure.savefig(os.path.join(arguments.to, name), dpi=120)
 
 
-TASKS = {"ladder": ladder, "wetting": wetting, "film": film, "thin": thin}
+TASKS = {"ladder": ladder, "wetting": wetting, "film": film, "thin": thin,
+         "flooded": flooded}
 
 
 def main():
