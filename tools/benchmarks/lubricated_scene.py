@@ -13,7 +13,8 @@ Usage: tools/benchmarks/lubricated_scene.py [--asperity PROGRAM] [--to FOLDER]
   thin     the Reynolds rung at wetting 0.6 with oil that is ever thinner, and
            the pocket that it must become
   flooded  the sixteen reference scenes full of oil, with the dissertation's
-           model (dynamic, Navier-Stokes) and with what the audit chooses
+           model (dynamic, incompressible Navier-Stokes), with an incompressible
+           film, and with what the audit chooses
 
 Tables go to the screen in Markdown, charts as PNG into FOLDER (default
 output/benchmarks). Run it on a quiet machine; compare within one run only.
@@ -29,8 +30,14 @@ CASES = [(p, v, T) for p in (300, 1300) for v in (22.5, 200) for T in (25, 675)]
 HEAD = ("mu | contact fraction | oil pressure [MPa] | share of the load | "
         "mu by shear | steps | Newton iterations | wall time [s]")
 FLOODED = {"dissertation": {},
+           "film": {"Lubrication/Model": "Reynolds",
+                    "Lubricant/Density law": "incompressible",
+                    "Protocol/Inertia": "automatic"},
            "audit": {"Lubrication/Model": "automatic",
                      "Protocol/Inertia": "automatic"}}
+FLOODED_LABELS = {"dissertation": "Navier-Stokes, incompressible, dynamic",
+                  "film": "Reynolds, incompressible",
+                  "audit": "the audit's choice, compressible"}
 COLOURS = {"none": "#9aa0a6", "pocket": "#12355b", "Reynolds": "#c1553b",
            "Stokes": "#6a8d73", "Navier-Stokes": "#8e6bbf"}
 
@@ -207,11 +214,11 @@ def chart_flooded(arguments, results):
     figure, panels = plt.subplots(1, 2, figsize=(11, 4), sharey=True)
     for axes, scene in zip(panels, ("R0", "R1")):
         for i, model in enumerate(FLOODED):
-            axes.bar([j + (i - 0.5) * 0.4 for j in range(len(CASES))],
-                     [results[scene, case, model] for case in CASES], 0.4,
-                     label=("the dissertation's model",
-                            "what the audit chooses")[i],
-                     color=(COLOURS["Navier-Stokes"], COLOURS["Reynolds"])[i])
+            axes.bar([j + (i - 1) * 0.27 for j in range(len(CASES))],
+                     [results[scene, case, model] for case in CASES], 0.27,
+                     label=FLOODED_LABELS[model],
+                     color=(COLOURS["Navier-Stokes"], COLOURS["Reynolds"],
+                            COLOURS["pocket"])[i])
         label_cases(axes)
         axes.set_title(f"{scene}, gap full of oil", fontsize=10)
     panels[0].set_ylabel("mu")
