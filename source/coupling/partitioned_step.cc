@@ -11,6 +11,12 @@ namespace asperity
 
   namespace
   {
+    /** Forces [N/m] and velocities [m/s] beyond are those of an iteration that
+     *  diverges; products of two of them are finite yet. */
+    constexpr double largest_norm = 1e100;
+
+
+
     double
     root_mean_square(const Vector &v)
     {
@@ -121,8 +127,8 @@ namespace asperity
             report.reason = "in the fluid " + fluid_report.reason;
             return report;
           }
-        if (!std::isfinite(response.force.l2_norm() +
-                           response.velocity.l2_norm()))
+        if (!(response.force.l2_norm() + response.velocity.l2_norm() <
+              largest_norm))
           {
             report.reason = "the coupling iteration diverges";
             return report;
