@@ -134,8 +134,7 @@ namespace asperity
       }
 
     Vector start(u);
-    for (unsigned int i = n_velocity; i < u.size(); ++i)
-      start(i) = 0.;
+    std::fill(start.begin() + n_velocity, start.end(), 0.);
     Vector x(start), start_divergence(u.size()), R(u.size());
     saddle_point.vmult(start_divergence, start);
     // One velocity everywhere would have a residual of about this size.
