@@ -53,9 +53,10 @@ namespace
   {
     for (auto entry = object.begin(); entry != object.end(); ++entry)
       {
-        pointers.push_back(pointer + "/" + entry.key());
+        const std::string here = pointer + "/" + entry.key();
+        pointers.push_back(here);
         if (entry->is_object() && entry.key() != "provenance")
-          collect_pointers(*entry, pointers.back(), pointers);
+          collect_pointers(*entry, here, pointers);
       }
   }
 
