@@ -40,7 +40,7 @@ endfunction()
 
 # The inner loops of the Gaussian process become vector instructions only if sums
 # may be reordered and no one looks at errno; nothing else is compiled like this.
-# Sanitizers would keep them scalar, and unlike those of the friction library, which
-# has none, in the last digits.
+# Sanitizers would keep them scalar, so that their last digits differ from those of
+# the friction library, which is never sanitized: this file is not, either.
 set_source_files_properties(${CMAKE_SOURCE_DIR}/source/surrogate/correlation.cc
   PROPERTIES COMPILE_OPTIONS "-O3;-ffast-math;-ffp-contract=fast;-fno-sanitize=all")

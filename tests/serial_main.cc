@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-// GoogleTest for rooms without MPI. BLAS keeps to one thread, since its waiting
+// The main function of tests without MPI. BLAS keeps to one thread, since its waiting
 // threads keep the cores from the tests that run beside this one.
 int
 main(int argc, char **argv)

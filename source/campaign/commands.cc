@@ -15,6 +15,7 @@ namespace asperity
 {
   namespace
   {
+    /** A campaign's parameter file, read and checked. */
     struct CampaignInput
     {
       explicit CampaignInput(const std::string &file)
