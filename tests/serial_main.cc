@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-// The main function of tests without MPI. BLAS keeps to one thread, since its waiting
-// threads keep the cores from the tests that run beside this one.
+// The main function of tests without MPI. BLAS keeps to one thread, since its
+// waiting threads keep the cores from the tests that run beside this one.
 int
 main(int argc, char **argv)
 {
