@@ -127,7 +127,10 @@ namespace asperity
     for (unsigned int i = n_velocity; i < u.size(); ++i)
       if (!space_.topology().is_constrained(i))
         matrix.add(i, i, -epsilon);
-    if (!solver->factorize(matrix))
+    const auto estimate = [this]() -> const SchurEstimate & {
+      return schur.of_projection(matrix, level.held_dofs());
+    };
+    if (!solver->prepare(matrix, estimate))
       {
         report.reason = "the projection of the initial velocity is singular";
         return report;
@@ -154,7 +157,13 @@ namespace asperity
             break;
           }
         R *= -1.;
-        solver->solve(R);
+        const ConvergenceReport linear = solver->solve(R, cell_size);
+        statistics_.linear_iterations += linear.iterations;
+        if (!linear.converged)
+          {
+            report.reason = linear.reason;
+            return report;
+          }
         constraints.distribute(R);
         x += R;
       }

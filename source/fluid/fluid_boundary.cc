@@ -268,6 +268,32 @@ namespace asperity
 
 
   void
+  FluidBoundary::add_robin_diagonal(Vector &diagonal) const
+  {
+    Face         face(space, mesh);
+    const Vector at_rest(space.dofs().n_dofs());
+    for (const auto &cell : space.dofs().active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+        {
+          const Condition *condition =
+            cell->at_boundary(f) ? condition_on(cell->face(f)->boundary_id()) :
+                                   nullptr;
+          if (condition == nullptr || condition->kind != Kind::robin)
+            continue;
+          face.values.reinit(cell, f);
+          integrate(face, *condition, at_rest, 0.);
+          for (unsigned int i = 0; i < face.dofs.size(); ++i)
+            face.R(i) = face.K(i, i);
+          cell->get_dof_indices(face.dofs);
+          space.topology().distribute_local_to_global(face.R,
+                                                      face.dofs,
+                                                      diagonal);
+        }
+  }
+
+
+
+  void
   FluidBoundary::integrate(Face            &face,
                            const Condition &condition,
                            const Vector    &u,

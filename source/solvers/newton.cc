@@ -236,7 +236,7 @@ namespace asperity
         ++statistics.iterations;
         if (!system.direction(R, d))
           {
-            report.reason = "the tangent is singular";
+            report.reason = system.direction_failure();
             return report;
           }
         if (!line_search.advance(u, R, d))

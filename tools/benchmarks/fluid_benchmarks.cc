@@ -2,7 +2,7 @@
  * Published benchmarks of the flow over mesh, degree and step, as Markdown
  * tables:
  *
- *   fluid_benchmarks dfg1 | dfg2 | cfd | ghia | all
+ *   fluid_benchmarks dfg1 | dfg2 | cfd | ghia | krylov | all
  *
  * The example problems are those of the tests.
  */
@@ -218,6 +218,124 @@ namespace
             timer.wall_time());
       });
   }
+
+  /** What one flow costs with a solver. */
+  struct Cost
+  {
+    double           seconds; ///< of the processor, for solve()
+    NewtonStatistics statistics;
+    unsigned int     n_dofs;
+  };
+
+  /** A flow on a mesh of some refinement, ready to be solved. */
+  struct CostProblem
+  {
+    std::string                               name;
+    FluidOptions                              options;
+    std::function<void(Mesh &, unsigned int)> make_mesh;
+    std::function<void(NavierStokes &)>       prepare;
+    unsigned int                              first, last;
+  };
+
+  Cost
+  cost(const CostProblem   &problem,
+       const unsigned int   n_refinements,
+       const FlowSolverKind kind)
+  {
+    Mesh mesh;
+    problem.make_mesh(mesh, n_refinements);
+    FluidOptions options  = problem.options;
+    options.linear_solver = kind;
+    NavierStokes flow(mesh, options);
+    problem.prepare(flow);
+    const NewtonStatistics before = flow.statistics();
+    dealii::Timer          timer;
+    solve(flow);
+    Cost result;
+    result.seconds    = timer.cpu_time();
+    result.statistics = flow.statistics();
+    result.statistics.iterations -= before.iterations;
+    result.statistics.linear_iterations -= before.linear_iterations;
+    result.n_dofs = flow.space().dofs().n_dofs();
+    return result;
+  }
+
+  CostProblem
+  cylinder_problem(const std::string    &name,
+                   const FluidTimeScheme scheme,
+                   const double          U,
+                   const double          dt)
+  {
+    CostProblem problem{name, channel_options(1., 1e-3), {}, {}, 1, 4};
+    problem.options.scheme = scheme;
+    problem.make_mesh      = [](Mesh &mesh, const unsigned int n) {
+      make_channel_with_cylinder(mesh, n, 0);
+    };
+    problem.prepare = [U, dt](NavierStokes &flow) {
+      flow.boundary().set_velocity({channel_inlet},
+                                   channel_inflow([U](double) { return U; }));
+      flow.boundary().set_velocity({channel_walls, channel_cylinder},
+                                   constant(0., 0.));
+      if (dt > 0.)
+        {
+          flow.project_initial_velocity();
+          flow.begin_step(dt);
+        }
+    };
+    return problem;
+  }
+
+  CostProblem
+  cavity_problem()
+  {
+    CostProblem problem{"Stokes, cavity", FluidOptions(), {}, {}, 1, 4};
+    problem.options.model.convection = false;
+    problem.options.scheme           = FluidTimeScheme::steady;
+    problem.make_mesh                = [](Mesh &mesh, const unsigned int n) {
+      dealii::GridGenerator::hyper_cube(mesh, 0., 1., true);
+      mesh.refine_global(n + 3);
+    };
+    problem.prepare = [](NavierStokes &flow) {
+      flow.boundary().set_velocity({0, 1, 2}, constant(0., 0.));
+      flow.boundary().set_velocity({3}, constant(1., 0.));
+    };
+    return problem;
+  }
+
+  void
+  krylov()
+  {
+    std::cout << "\nDirect against Krylov: Newton iterations, linear "
+                 "iterations a tangent, processor time of solve()\n\n";
+    row("flow",
+        "unknowns",
+        "Newton, direct",
+        "Newton, Krylov",
+        "iterations",
+        "seconds, direct",
+        "seconds, Krylov",
+        "direct/Krylov");
+    row("---", "---", "---", "---", "---", "---", "---", "---");
+    for (const CostProblem &problem :
+         {cavity_problem(),
+          cylinder_problem(
+            "cylinder, steady, Re 20", FluidTimeScheme::steady, 0.2, 0.),
+          cylinder_problem(
+            "cylinder, Re 100, dt 5 ms", FluidTimeScheme::bdf2, 1., 0.005)})
+      for (unsigned int n = problem.first; n <= problem.last; ++n)
+        attempt([&]() {
+          const Cost d = cost(problem, n, FlowSolverKind::direct);
+          const Cost k = cost(problem, n, FlowSolverKind::krylov);
+          row(problem.name,
+              k.n_dofs,
+              d.statistics.iterations,
+              k.statistics.iterations,
+              double(k.statistics.linear_iterations) / k.statistics.iterations,
+              d.seconds,
+              k.seconds,
+              d.seconds / k.seconds);
+        });
+  }
 } // namespace
 
 
@@ -235,6 +353,8 @@ main(int argc, char **argv)
     cfd();
   if (which == "ghia" || which == "all")
     ghia();
+  if (which == "krylov" || which == "all")
+    krylov();
   if (which == "dfg2" || which == "all")
     dfg2();
 }

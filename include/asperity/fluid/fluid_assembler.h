@@ -78,6 +78,19 @@ namespace asperity
         Vector                                  &scale,
         dealii::SparseMatrix<double>            *tangent) const;
 
+    /**
+     * Adds what SchurEstimate wants to know: the pressure's mass matrix over
+     * the viscosity at u, condensed, and the diagonal of rho a_0 times the
+     * velocity's mass matrix.
+     * @param pressure_topology with pressure unknowns numbered from 0
+     */
+    void
+    add_schur_estimate(
+      const Vector                            &u,
+      const dealii::AffineConstraints<double> &pressure_topology,
+      dealii::SparseMatrix<double>            &mass,
+      Vector                                  &inertia) const;
+
     const FluidModel &
     model() const;
 

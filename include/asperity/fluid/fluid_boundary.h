@@ -84,6 +84,10 @@ namespace asperity
         Vector                                  &scale,
         dealii::SparseMatrix<double>            *tangent) const;
 
+    /** Adds the diagonal of the Robin terms' derivative. */
+    void
+    add_robin_diagonal(Vector &diagonal) const;
+
   private:
     enum class Kind
     {

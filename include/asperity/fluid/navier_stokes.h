@@ -2,10 +2,11 @@
 #define asperity_fluid_navier_stokes_h
 
 #include <asperity/base/convergence_report.h>
+#include <asperity/fluid/flow_solver.h>
 #include <asperity/fluid/fluid_assembler.h>
 #include <asperity/fluid/fluid_boundary.h>
+#include <asperity/fluid/fluid_schur.h>
 #include <asperity/fluid/pressure_level.h>
-#include <asperity/solvers/direct_solver.h>
 #include <asperity/solvers/newton.h>
 
 #include <deal.II/lac/sparsity_pattern.h>
@@ -32,9 +33,12 @@ namespace asperity
 
     /** Residual over the sum of the absolute contributions of the cells, for
      *  momentum and continuity alike. */
-    double           tolerance                 = 1e-9;
-    unsigned int     maximum_newton_iterations = 20;
-    DirectSolverKind solver                    = DirectSolverKind::umfpack;
+    double       tolerance                 = 1e-9;
+    unsigned int maximum_newton_iterations = 20;
+
+    FlowSolverKind   linear_solver = FlowSolverKind::direct;
+    DirectSolverKind solver        = DirectSolverKind::umfpack; ///< if direct
+    KrylovOptions    krylov;                                    ///< if krylov
 
     /** Tangents are kept from one solution to the next while each step with
      *  them reduces the residual to this share or less,
@@ -253,6 +257,9 @@ namespace asperity
     bool
     has_tangent() const override;
 
+    std::string
+    direction_failure() const override;
+
     double
     norm(const Vector &R) const override;
 
@@ -272,6 +279,11 @@ namespace asperity
     Vector
     galerkin_divergence() const;
 
+    /** Against viscosity and the time derivative, in the whole flow: its
+     *  Reynolds number, as far as the step is long enough to feel it. */
+    bool
+    convection_dominates() const;
+
     /** theta, see above. */
     double
     divergence_memory() const;
@@ -286,8 +298,10 @@ namespace asperity
     dealii::AffineConstraints<double> constraints; ///< homogeneous
     dealii::SparsityPattern           pattern;
     dealii::SparseMatrix<double>      matrix;
-    std::unique_ptr<DirectSolver>     solver;
-    std::vector<unsigned int>         constrained; ///< unknowns, in order
+    FluidSchur                        schur;
+    std::unique_ptr<FlowSolver>       solver;
+    std::string                       linear_failure; ///< of the last direction
+    std::vector<unsigned int>         constrained;    ///< unknowns, in order
     bool                              is_factorised = false;
 
     Vector           u, u_old, u_older; ///< iterate, t_n, t_{n-1}

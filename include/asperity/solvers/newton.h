@@ -5,6 +5,8 @@
 
 #include <deal.II/lac/vector.h>
 
+#include <string>
+
 namespace asperity
 {
   /** Nonlinear equations R(u) = 0 as Newton's method sees them. Prescribed
@@ -26,6 +28,13 @@ namespace asperity
      *  @return false if the tangent is singular. */
     virtual bool
     direction(const dealii::Vector<double> &R, dealii::Vector<double> &d) = 0;
+
+    /** Why direction() failed last. */
+    virtual std::string
+    direction_failure() const
+    {
+      return "the tangent is singular";
+    }
 
     /** A factorised tangent is at hand, of this or an earlier u: direction()
      *  can be called without linearize(). */
@@ -79,6 +88,9 @@ namespace asperity
     unsigned int iterations     = 0; ///< linear solves
     unsigned int linearizations = 0; ///< assemblies with tangent
     unsigned int residuals      = 0; ///< assemblies without
+
+    /** Of an iterative linear solver, if the system has one and counts. */
+    unsigned int linear_iterations = 0;
   };
 
   /**
