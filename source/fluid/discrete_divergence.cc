@@ -157,7 +157,7 @@ namespace asperity
             break;
           }
         R *= -1.;
-        const ConvergenceReport linear = solver->solve(R, cell_size);
+        const ConvergenceReport linear = solver->solve(R);
         statistics_.linear_iterations += linear.iterations;
         if (!linear.converged)
           {

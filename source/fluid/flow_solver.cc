@@ -22,7 +22,7 @@ namespace asperity
       }
 
       ConvergenceReport
-      solve(Vector &rhs, const double) const override
+      solve(Vector &rhs) const override
       {
         solver->solve(rhs);
         ConvergenceReport report;
@@ -51,9 +51,9 @@ namespace asperity
       }
 
       ConvergenceReport
-      solve(Vector &rhs, const double weight) const override
+      solve(Vector &rhs) const override
       {
-        return solver.solve(rhs, weight);
+        return solver.solve(rhs);
       }
 
     private:

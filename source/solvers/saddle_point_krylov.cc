@@ -54,21 +54,19 @@ namespace asperity
   class SaddlePointKrylov::ScaledMatrix
   {
   public:
-    ScaledMatrix(const SaddlePointKrylov &solver, const double weight)
+    explicit ScaledMatrix(const SaddlePointKrylov &solver)
       : solver(solver)
-      , weight(weight)
     {}
 
     void
     vmult(Vector &y, const Vector &x) const
     {
       solver.matrix->vmult(y, x);
-      scale_from(y, solver.n_first, weight);
+      scale_from(y, solver.n_first, solver.row_weight);
     }
 
   private:
     const SaddlePointKrylov &solver;
-    const double             weight;
   };
 
 
@@ -77,9 +75,8 @@ namespace asperity
   class SaddlePointKrylov::BlockTriangular
   {
   public:
-    BlockTriangular(const SaddlePointKrylov &solver, const double weight)
+    explicit BlockTriangular(const SaddlePointKrylov &solver)
       : solver(solver)
-      , weight(weight)
       , r(solver.matrix->m() - solver.n_first)
       , p(r)
       , f(solver.n_first)
@@ -91,7 +88,7 @@ namespace asperity
     {
       const unsigned int n = solver.n_first;
       std::copy(x.begin() + n, x.end(), r.begin());
-      r *= -1. / weight;
+      r *= -1. / solver.row_weight;
       solver.apply_schur(p, r);
       solver.gradient.vmult(f, p);
       for (unsigned int i = 0; i < n; ++i)
@@ -103,7 +100,6 @@ namespace asperity
 
   private:
     const SaddlePointKrylov &solver;
-    const double             weight;
     mutable Vector           r, p, f, v;
   };
 
@@ -202,6 +198,7 @@ namespace asperity
     if (gradient.empty())
       build_patterns();
     copy_blocks();
+    row_weight = velocity.frobenius_norm() / gradient.frobenius_norm();
     try
       {
         initialize(velocity_inverse, velocity, modes, true);
@@ -273,10 +270,10 @@ namespace asperity
 
 
   ConvergenceReport
-  SaddlePointKrylov::solve(Vector &rhs, const double weight) const
+  SaddlePointKrylov::solve(Vector &rhs) const
   {
     ConvergenceReport report;
-    scale_from(rhs, n_first, weight);
+    scale_from(rhs, n_first, row_weight);
     const double size = rhs.l2_norm();
     Vector       x(rhs.size());
     if (size == 0.)
@@ -296,10 +293,7 @@ namespace asperity
       dealii::SolverFGMRES<Vector>::AdditionalData(options.restart));
     try
       {
-        fgmres.solve(ScaledMatrix(*this, weight),
-                     x,
-                     rhs,
-                     BlockTriangular(*this, weight));
+        fgmres.solve(ScaledMatrix(*this), x, rhs, BlockTriangular(*this));
         report.converged = true;
       }
     catch (const dealii::ExceptionBase &)

@@ -234,7 +234,7 @@ namespace
     FluidOptions                              options;
     std::function<void(Mesh &, unsigned int)> make_mesh;
     std::function<void(NavierStokes &)>       prepare;
-    unsigned int                              first, last;
+    unsigned int first = 1, last = 4; ///< refinements
   };
 
   Cost
@@ -266,7 +266,9 @@ namespace
                    const double          U,
                    const double          dt)
   {
-    CostProblem problem{name, channel_options(1., 1e-3), {}, {}, 1, 4};
+    CostProblem problem;
+    problem.name           = name;
+    problem.options        = channel_options(1., 1e-3);
     problem.options.scheme = scheme;
     problem.make_mesh      = [](Mesh &mesh, const unsigned int n) {
       make_channel_with_cylinder(mesh, n, 0);
@@ -288,7 +290,8 @@ namespace
   CostProblem
   cavity_problem()
   {
-    CostProblem problem{"Stokes, cavity", FluidOptions(), {}, {}, 1, 4};
+    CostProblem problem;
+    problem.name                     = "Stokes, cavity";
     problem.options.model.convection = false;
     problem.options.scheme           = FluidTimeScheme::steady;
     problem.make_mesh                = [](Mesh &mesh, const unsigned int n) {

@@ -13,8 +13,8 @@ namespace asperity
 
   enum class FlowSolverKind
   {
-    direct, ///< a factorisation: the faster one below some 10^5 unknowns
-    krylov  ///< SaddlePointKrylov: memory and time grow with the unknowns
+    direct, ///< a factorisation: the faster one where convection matters
+    krylov  ///< SaddlePointKrylov: for large creeping flows, half the memory
   };
 
   /** Solves with the tangent of a flow, velocity first, then pressure. */
@@ -37,12 +37,9 @@ namespace asperity
     prepare(const Matrix                                 &matrix,
             const std::function<const SchurEstimate &()> &estimate) = 0;
 
-    /**
-     * Replaces the right-hand side by the solution.
-     * @param weight of the continuity equation in the norm of the residual
-     */
+    /** Replaces the right-hand side by the solution. */
     virtual ConvergenceReport
-    solve(Vector &rhs, const double weight) const = 0;
+    solve(Vector &rhs) const = 0;
   };
 
   std::unique_ptr<FlowSolver>

@@ -88,12 +88,11 @@ namespace asperity
     prepare(const Matrix &matrix, const SchurEstimate &schur);
 
     /**
-     * Replaces the right-hand side by the solution.
-     * @param weight the second block's residual counts so many times: the
-     *   blocks differ in unit
+     * Replaces the right-hand side by the solution. In the norm of the residual
+     * the second block is weighted by |A|/|G|, since the blocks differ in unit.
      */
     ConvergenceReport
-    solve(Vector &rhs, const double weight) const;
+    solve(Vector &rhs) const;
 
   private:
     class ScaledMatrix;
@@ -129,7 +128,8 @@ namespace asperity
     dealii::TrilinosWrappers::PreconditionAMG laplacian_inverse;
     dealii::SparseILU<double>                 mass_inverse;
     Vector                                    inverse_scale; ///< D^-1
-    bool is_convective = false, has_laplacian = false, has_mass = false;
+    double row_weight    = 1.; ///< of the second block
+    bool   is_convective = false, has_laplacian = false, has_mass = false;
   };
 } // namespace asperity
 
