@@ -202,23 +202,19 @@ namespace asperity
   void
   GapFlow::set_tool_velocity()
   {
-    NodalVectors velocity(tool_numbers.size());
-    if (mesh_.film().largest_lift > 0.)
+    flow_.set_mesh_displacement(mesh_.displacement());
+    const NodalVectors w = flow_.wall_mesh_velocity(tool_wall);
+    Vector             w_field(mesh_.dofs().n_dofs());
+    for (unsigned int n = 0; n < w.size(); ++n)
       {
-        flow_.set_mesh_displacement(mesh_.displacement());
-        const NodalVectors w = flow_.wall_mesh_velocity(tool_wall);
-        Vector             w_field(mesh_.dofs().n_dofs());
-        for (unsigned int n = 0; n < w.size(); ++n)
-          {
-            const ColumnMesh::WallNode &node =
-              mesh_.tool_nodes()[tool_numbers[n]];
-            w_field(node.dof_x) = w[n][0];
-            w_field(node.dof_y) = w[n][1];
-          }
-        const auto from_left = mesh_.tool_wall_velocity({}, w_field);
-        for (unsigned int n = 0; n < w.size(); ++n)
-          velocity[n] = from_left[tool_numbers[n]];
+        const ColumnMesh::WallNode &node = mesh_.tool_nodes()[tool_numbers[n]];
+        w_field(node.dof_x)              = w[n][0];
+        w_field(node.dof_y)              = w[n][1];
       }
+    const auto   from_left = mesh_.tool_wall_velocity({}, w_field);
+    NodalVectors velocity(w.size());
+    for (unsigned int n = 0; n < w.size(); ++n)
+      velocity[n] = from_left[tool_numbers[n]];
     flow_.boundary().set_wall_velocity(tool_wall, velocity);
   }
 

@@ -98,6 +98,17 @@ namespace asperity
 
 
 
+  CouplingParameters
+  LubricationParameters::default_coupling()
+  {
+    CouplingParameters coupling;
+    coupling.acceleration.reused_steps = 2;
+    coupling.acceleration.filter       = 0.03;
+    return coupling;
+  }
+
+
+
   void
   LubricationParameters::check(const ParameterDeclarator &parameters) const
   {

@@ -311,21 +311,20 @@ namespace asperity
     };
     std::vector<Tensor<1, 2>> v(n, tool_velocity);
     for (unsigned int i = 0; i < n; ++i)
-      if (lift_[i] > 0.)
-        {
-          // Chord between the neighbours, across the period at its ends.
-          const bool   at_end = i == 0 || i == n - 1;
-          Tensor<1, 2> chord =
-            position(at_end ? 1 : i + 1) - position(at_end ? n - 2 : i - 1);
-          if (at_end)
-            chord[0] += period;
-          const Tensor<1, 2> normal =
-            Point<2>(-chord[1], chord[0]) / chord.norm();
-          const WallNode    &node = tool_wall_nodes[i];
-          const Tensor<1, 2> slip =
-            Point<2>(w(node.dof_x), w(node.dof_y)) - Point<2>(tool_velocity);
-          v[i] += (slip * normal) * normal;
-        }
+      {
+        // Chord between the neighbours, across the period at its ends.
+        const bool   at_end = i == 0 || i == n - 1;
+        Tensor<1, 2> chord =
+          position(at_end ? 1 : i + 1) - position(at_end ? n - 2 : i - 1);
+        if (at_end)
+          chord[0] += period;
+        const Tensor<1, 2> normal =
+          Point<2>(-chord[1], chord[0]) / chord.norm();
+        const WallNode    &node = tool_wall_nodes[i];
+        const Tensor<1, 2> slip =
+          Point<2>(w(node.dof_x), w(node.dof_y)) - Point<2>(tool_velocity);
+        v[i] += (slip * normal) * normal;
+      }
     return v;
   }
 

@@ -144,8 +144,7 @@ namespace asperity
     void
     find_wall_pressures();
 
-    /** No slip; where the residual film lifts the wall off the tool, the fluid
-     *  goes with the mesh in the normal direction. */
+    /** ColumnMesh::tool_wall_velocity() as condition of the flow. */
     void
     set_tool_velocity();
 

@@ -56,7 +56,7 @@ namespace asperity
 
     // Models that fill the gap
     FilmMeshParameters mesh;
-    CouplingParameters coupling;
+    CouplingParameters coupling = default_coupling();
 
     void
     declare(ParameterDeclarator &parameters);
@@ -64,6 +64,12 @@ namespace asperity
     /** Relations between entries; throws InputError. */
     void
     check(const ParameterDeclarator &parameters) const;
+
+  private:
+    /** Columns of more steps, or such that nearly depend on newer ones, mislead
+     *  the quasi-Newton iteration where asperities come into contact. */
+    static CouplingParameters
+    default_coupling();
   };
 } // namespace asperity
 

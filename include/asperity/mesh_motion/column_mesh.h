@@ -129,9 +129,12 @@ namespace asperity
     lift() const;
 
     /**
-     * Velocity of the fluid at tool_nodes() [m/s]: that of the tool, but with
-     * the normal component of the mesh where the wall is lifted. The film
-     * keeps its volume that way when the chip carries it up or down.
+     * Velocity of the fluid at tool_nodes() [m/s]: that of the tool, with the
+     * normal component of the mesh. Where the wall is lifted the film keeps
+     * its volume that way when the chip carries it up or down. On the tool the
+     * two normal components are one but for the error of quadratic
+     * interpolation. It is taken there, too: a switch at the edge of the film
+     * would be a jump, which no coupling iteration gets past.
      * @param w nodal mesh velocity
      */
     std::vector<dealii::Tensor<1, 2>>
