@@ -126,6 +126,7 @@ namespace asperity
       result["file"]                = "friction_law.json";
       result["output"]              = description.output;
       result["leave_one_out_error"] = description.leave_one_out_error;
+      result["calibration"]         = description.calibration;
       result["topography_scatter"]  = description.topography_scatter;
       result["log_likelihood"]      = law.process().log_likelihood();
       result["signal_variance"]     = values.signal_variance;

@@ -12,7 +12,7 @@ namespace asperity
     using Json = nlohmann::ordered_json;
 
     const char *const format_name    = "asperity friction law";
-    constexpr int     format_version = 1;
+    constexpr int     format_version = 2;
 
     /** A part of the document, with its place for messages. */
     class Node
@@ -186,6 +186,7 @@ namespace asperity
         law.child("topography_scatter").number_above(0., true);
       result.leave_one_out_error =
         law.child("leave_one_out_error").number_above(0., true);
+      result.calibration = law.child("calibration").number_above(0., false);
       result.shear_limit = read_shear_limit(law.child("shear_limit"));
       for (const Node &node : law.child("warnings").children())
         result.warnings.push_back(node.text());
@@ -272,6 +273,7 @@ namespace asperity
     law["largest_trusted_deviation"] = description_.largest_trusted_deviation;
     law["topography_scatter"]        = description_.topography_scatter;
     law["leave_one_out_error"]       = description_.leave_one_out_error;
+    law["calibration"]               = description_.calibration;
     law["shear_limit"] = shear_limit_to_json(description_.shear_limit);
     law["warnings"]    = description_.warnings;
     law["provenance"]  = description_.provenance;

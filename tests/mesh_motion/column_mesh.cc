@@ -288,7 +288,7 @@ TEST(ColumnMesh, FilmCarriedByTheChipKeepsItsVolume)
 // chords by which a quadratic edge knows its slope.
 TEST(ColumnMesh, OffTheFilmTheFluidGoesWithTheTool)
 {
-  const SplineCurve tool = surface(tool_height);
+  const SplineCurve tool = surface(tool_height, 160, 4);
   const double      step = 1e-5 * um, dt = 1e-8, velocity = step / dt;
   double            coarse = 0.;
   for (const unsigned int n_columns : {80, 160, 320})

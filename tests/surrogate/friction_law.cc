@@ -1,5 +1,6 @@
 #include <asperity/base/errors.h>
 #include <asperity/surrogate/friction_law.h>
+#include <asperity/surrogate/hyperparameter_search.h>
 
 #include <gtest/gtest.h>
 
@@ -125,6 +126,62 @@ TEST(FrictionLaw, prediction_is_that_of_the_process_behind_its_scales)
     }
   EXPECT_NEAR(sum, 0., 1e-12);
   EXPECT_NEAR(square, 1., 1e-12);
+}
+
+
+
+// Of 40 points, each predicted by the others, the interval holds 39, the next
+// whole number to 95 % of 41; the mean is that of the likeliest process.
+TEST(FrictionLaw, deviation_is_calibrated_by_cross_validation)
+{
+  for (const KernelKind kernel : all_kernels)
+    {
+      FrictionLawDescription description = description_of_mu();
+      description.kernel                 = kernel;
+      const FrictionLaw      law         = trained_law(description);
+      const GaussianProcess &process     = law.process();
+      const double           factor      = law.description().calibration;
+      ASSERT_GT(factor, 0.5) << to_string(kernel);
+      ASSERT_LT(factor, 2.) << to_string(kernel);
+      const auto   left_out = process.leave_one_out();
+      unsigned int n_inside = 0;
+      for (std::size_t j = 0; j < left_out.size(); ++j)
+        n_inside += std::abs(left_out[j].mean - process.data().y[j]) <=
+                    1.96 * std::sqrt(left_out[j].variance);
+      EXPECT_EQ(n_inside, 39U);
+
+      const Hyperparameters likeliest =
+        find_hyperparameters(kernel, process.data()).hyperparameters;
+      EXPECT_NEAR(process.hyperparameters().signal_variance /
+                    likeliest.signal_variance,
+                  factor * factor,
+                  1e-12 * factor * factor);
+      const GaussianProcess     plain(kernel, likeliest, process.data());
+      const std::vector<double> z = {0.3, 0.4, 0.5};
+      EXPECT_NEAR(process.mean(z.data()), plain.mean(z.data()), 1e-9);
+      EXPECT_NEAR(process.variance(z.data()) / plain.variance(z.data()),
+                  factor * factor,
+                  1e-5);
+    }
+}
+
+
+
+// Few points tell no 95 %, and known deviations are not to be scaled.
+TEST(FrictionLaw, deviation_is_left_alone_without_a_measure)
+{
+  const Samples few(19), many(40);
+  EXPECT_EQ(FrictionLaw::train(description_of_mu(), few.x, few.y)
+              .description()
+              .calibration,
+            1.);
+  EXPECT_EQ(FrictionLaw::train(description_of_mu(),
+                               many.x,
+                               many.y,
+                               std::vector<double>(40, 1e-4))
+              .description()
+              .calibration,
+            1.);
 }
 
 

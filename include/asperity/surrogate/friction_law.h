@@ -90,6 +90,11 @@ namespace asperity
      */
     double leave_one_out_error = 0.;
 
+    /** What training has multiplied the deviations of the likelihood by, so
+     *  that the 95 % interval holds 95 % of the training points, each predicted
+     *  by the others; in the hyperparameters already. */
+    double calibration = 1.;
+
     ShearLimit shear_limit;
     /** What training has to say about the data and the hyperparameters, one
      *  sentence each; set by training. */
@@ -121,7 +126,9 @@ namespace asperity
     static constexpr double edge_tolerance = 1e-9;
 
     /**
-     * Trains the hyperparameters by maximum likelihood.
+     * Trains the hyperparameters by maximum likelihood, and the size of the
+     * deviations by leave-one-out errors (from 20 points without known
+     * deviations on).
      * @param x n x d inputs in SI @param y n values
      * @param known_deviation standard deviation of each value, or empty
      * @throws InputError if values are not positive on a logarithmic scale, not
