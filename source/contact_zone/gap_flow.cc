@@ -21,6 +21,9 @@ namespace asperity
      *  coupling can see, and above round-off in narrow cells. */
     constexpr double flow_tolerance = 1e-8;
 
+    /** Between the iterations of a coupled step the flow hardly changes. */
+    constexpr double kept_tangent_contraction = 0.3;
+
 
 
     ColumnLayout
@@ -46,6 +49,7 @@ namespace asperity
       fluid.model.viscosity  = options.oil.viscosity;
       fluid.model.convection = options.inertia;
       fluid.tolerance        = flow_tolerance;
+      fluid.kept_tangent_contraction = kept_tangent_contraction;
       return fluid;
     }
   } // namespace
@@ -58,6 +62,17 @@ namespace asperity
                [&gap](const Vector &) { return gap.mesh_.displacement(); })
     , gap(gap)
   {}
+
+
+
+  void
+  GapFlow::Side::begin_step(const double dt)
+  {
+    // A tangent of an earlier step would make the run depend on where it was
+    // interrupted.
+    gap.flow_.forget_tangent();
+    AleFluid::begin_step(dt);
+  }
 
 
 

@@ -123,6 +123,14 @@ namespace asperity
 
 
 
+  void
+  NavierStokes::forget_tangent()
+  {
+    is_factorised = false;
+  }
+
+
+
   std::string
   NavierStokes::prepare()
   {

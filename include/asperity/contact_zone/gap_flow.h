@@ -124,6 +124,9 @@ namespace asperity
     public:
       explicit Side(GapFlow &gap);
 
+      void
+      begin_step(const double dt) override;
+
       ConvergenceReport
       solve(const WallCondition &condition, WallResponse &response) override;
 

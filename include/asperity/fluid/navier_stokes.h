@@ -168,6 +168,12 @@ namespace asperity
     void
     begin_step(const double dt);
 
+    /** The next solution starts with a new tangent also where
+     *  FluidOptions::kept_tangent_contraction keeps them, so that it does not
+     *  depend on what was solved before. */
+    void
+    forget_tangent();
+
     /** Solves for the end of the step. report.residual is relative, see
      *  FluidOptions::tolerance. */
     ConvergenceReport
