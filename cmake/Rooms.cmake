@@ -17,6 +17,19 @@ function(asperity_flags target)
   endif()
 endfunction()
 
+# asperity_precompile(target room): where a room has meshes, deal.II's headers take
+# half of the time of a compilation and are parsed once for all.
+set(rooms_with_meshes isogeometric solid contact postprocess fluid mesh_motion coupling contact_zone)
+function(asperity_precompile target room)
+  if(NOT ASPERITY_PRECOMPILE_HEADERS OR NOT room IN_LIST rooms_with_meshes)
+    return()
+  elseif(target STREQUAL asperity_isogeometric)
+    target_precompile_headers(${target} PRIVATE ${CMAKE_SOURCE_DIR}/cmake/precompiled.h)
+  else()
+    target_precompile_headers(${target} REUSE_FROM asperity_isogeometric)
+  endif()
+endfunction()
+
 # asperity_room(name [rooms it may include ...]): source/<name>/*.cc as a library.
 function(asperity_room name)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/source/${name}/*.cc)
@@ -24,6 +37,7 @@ function(asperity_room name)
   if(sources)
     add_library(asperity_${name} STATIC ${sources})
     asperity_flags(asperity_${name})
+    asperity_precompile(asperity_${name} ${name})
     target_link_libraries(asperity_${name} ${rooms})
     if(name STREQUAL "topography")
       target_link_libraries(asperity_${name} PkgConfig::MINIZIP)
