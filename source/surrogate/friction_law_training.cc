@@ -33,12 +33,12 @@ namespace asperity
 
 
     /**
-     * The likelihood judges the deviation by the assumption that the function
-     * is a draw of the kernel's process. This one judges it by the training
-     * points themselves: the factor with which the 95 % interval holds 95 % of
-     * them, each predicted by the others (R. Barber et al., Ann. Statist. 49
-     * (2021) 486, the quantile of the jackknife; F. Bachoc, Comput. Stat. Data
-     * Anal. 66 (2013) 55, variances by cross-validation).
+     * The factor of the deviation with which the 95 % interval holds 95 % of
+     * the training points, each predicted by the others. The likelihood alone
+     * trusts that the function is a draw of the kernel's process (R. Barber et
+     * al., Ann. Statist. 49 (2021) 486, the quantile of the jackknife; F.
+     * Bachoc, Comput. Stat. Data Anal. 66 (2013) 55, variances by
+     * cross-validation).
      */
     double
     calibration_factor(const GaussianProcess &process)
