@@ -66,6 +66,26 @@ namespace asperity
         squares += vector(i) * vector(i);
       return std::sqrt(squares);
     }
+
+
+
+    // Of the projection of the initial velocity.
+    constexpr double       tolerance           = 1e-13;
+    constexpr unsigned int maximum_repetitions = 20;
+
+
+
+    /** Adds -epsilon |phi|^2, which makes the projection regular with any
+     *  pressure level; a few repetitions from the last phi remove its
+     *  influence. */
+    void
+    regularize(const FluidSpace &space, dealii::SparseMatrix<double> &matrix)
+    {
+      constexpr double epsilon = 1e-7;
+      for (unsigned int i = space.n_velocity_dofs(); i < matrix.m(); ++i)
+        if (!space.topology().is_constrained(i))
+          matrix.add(i, i, -epsilon);
+    }
   } // namespace
 
 
@@ -105,12 +125,6 @@ namespace asperity
   ConvergenceReport
   NavierStokes::project_initial_velocity()
   {
-    // -epsilon |phi|^2 makes the system regular with any pressure level; a few
-    // repetitions from the last phi remove its influence.
-    constexpr double       epsilon             = 1e-7;
-    constexpr double       tolerance           = 1e-13;
-    constexpr unsigned int maximum_repetitions = 20;
-
     ConvergenceReport report;
     report.converged = options.element == FluidElement::equal_order;
     if (report.converged)
@@ -124,9 +138,7 @@ namespace asperity
     assemble_saddle_point(space_, mapping(), constraints, matrix);
     is_factorised                 = false; // no tangent of the flow
     const unsigned int n_velocity = space_.n_velocity_dofs();
-    for (unsigned int i = n_velocity; i < u.size(); ++i)
-      if (!space_.topology().is_constrained(i))
-        matrix.add(i, i, -epsilon);
+    regularize(space_, matrix);
     const auto estimate = [this]() -> const SchurEstimate & {
       return schur.of_projection(matrix, level.held_dofs());
     };
@@ -136,19 +148,17 @@ namespace asperity
         return report;
       }
 
-    Vector start(u);
-    std::fill(start.begin() + n_velocity, start.end(), 0.);
-    Vector x(start), start_divergence(u.size()), R(u.size());
-    saddle_point.vmult(start_divergence, start);
+    Vector x(u), load(u.size()), R(u.size());
+    std::fill(x.begin() + n_velocity, x.end(), 0.);
+    saddle_point.vmult(load, x); // M v_0, and the source in place of - B v_0
+    for (unsigned int i = n_velocity; i < u.size(); ++i)
+      load(i) = -volume_source(i);
     // One velocity everywhere would have a residual of about this size.
     const double size = u.linfty_norm() * std::sqrt(volume());
     for (; report.iterations < maximum_repetitions; ++report.iterations)
       {
-        Vector difference(x);
-        difference -= start; // M (v - v_0) - B^T phi, and - B v
-        saddle_point.vmult(R, difference);
-        for (unsigned int i = n_velocity; i < u.size(); ++i)
-          R(i) += start_divergence(i) + volume_source(i);
+        saddle_point.vmult(R, x); // M v - B^T phi, and - B v
+        R -= load;
         report.residual = norm_from(R, n_velocity);
         constraints.set_zero(R);
         if (report.iterations > 0 && report.residual <= tolerance * size)
