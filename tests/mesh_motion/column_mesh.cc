@@ -313,6 +313,37 @@ TEST(ColumnMesh, OffTheFilmTheFluidGoesWithTheTool)
 
 
 
+// Whether the lowest point of the tool just touches the film or just does not
+// makes no difference to the velocity, whatever the mesh does.
+TEST(ColumnMesh, VelocityDoesNotJumpAtTheEdgeOfTheFilm)
+{
+  const double film = 0.005 * um, touch = film - 0.02 * um, step = 1e-6 * um;
+  const SplineCurve      tool = surface(tool_height);
+  ColumnMesh             mesh(flat(0.), tool, layout_of(flat(0.), 320, film));
+  dealii::Vector<double> w(mesh.dofs().n_dofs());
+  for (const auto &node : mesh.tool_nodes())
+    {
+      w(node.dof_x) = 3.;
+      w(node.dof_y) = 2.;
+    }
+  std::vector<Tensor<1, 2>> last;
+  unsigned int              n_lifted = 0;
+  // The lowest node is at most some picometres above the lowest point.
+  for (double y = touch; y > touch - 1e-3 * um; y -= step)
+    {
+      ASSERT_TRUE(mesh.update(flat(0.), shift(0., y)).converged);
+      const auto v = mesh.tool_wall_velocity(shift(1., 0.), w);
+      for (unsigned int i = 0; i < last.size(); ++i)
+        EXPECT_LT((v[i] - last[i]).norm(), 1e-3);
+      last = v;
+      n_lifted += mesh.film().largest_lift > 0.;
+    }
+  EXPECT_GT(n_lifted, 0U);
+  EXPECT_LT(n_lifted, 1000U);
+}
+
+
+
 TEST(ColumnMesh, AnEdgeThatFoldsOverIsRefused)
 {
   const SplineCurve chip = flat(0.);
