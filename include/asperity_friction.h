@@ -134,6 +134,22 @@ extern "C"
                                 const double                *T,
                                 double                      *k);
 
+  /*
+   * How far the profiles of the surface tell its mean; part of neither sigma
+   * nor trusted, since all contact points share that error.
+   *
+   * n_profiles: over how many profiles mu is a mean
+   * scatter: standard deviation between them, relative to mu; 0 for one
+   * error: half width of the 95 % interval of the mean over the whole surface,
+   * from their scatter alone, relative to mu (a factor exp(error) for a law of
+   * ln(mu)); 0, that is unknown, for one
+   */
+  ASPERITY_FRICTION_API int
+  asperity_friction_topography(const asperity_friction_law *law,
+                               size_t                      *n_profiles,
+                               double                      *scatter,
+                               double                      *error);
+
 #ifdef __cplusplus
 }
 #endif

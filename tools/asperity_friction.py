@@ -29,6 +29,7 @@ Asperity; numpy is used if it is there.
     answer = law.predict(450e6, 1.5, 573.15)      # Pa, m/s, K
     answer.mu, answer.deviation, answer.trusted
     answer.derivatives                            # by p, v and T
+    law.topography.error                          # of the surface's mean
 
     law.predict(pressures, velocities, 573.15)    # lists or arrays, too
     law.shear_stress(450e6, 1.5, 573.15)          # min(mu p, k) in Pa
@@ -49,6 +50,16 @@ except ImportError:  # lists do as well
 Input = namedtuple("Input", "name symbol unit lower upper")
 Input.__doc__ = """An input of a law and the box of its training data, in SI;
 `unit` is for people."""
+
+Topography = namedtuple("Topography", "profiles scatter error")
+Topography.__doc__ = """How far the profiles of the surface tell its mean, which
+is part of neither deviation nor trusted.
+
+profiles: over how many of them mu is a mean
+scatter: standard deviation between them, relative to mu; 0 for one
+error: half width of the 95 % interval of the mean over the whole surface, from
+    their scatter alone, relative to mu (a factor exp(error) for a law of ln(mu));
+    0, that is unknown, for one"""
 
 Prediction = namedtuple("Prediction", "mu derivatives deviation trusted")
 Prediction.__doc__ = """What a law says at one point or at many.
@@ -110,6 +121,9 @@ def _load_library(path):
         _double_pointer, _double_pointer, _byte_pointer]
     library.asperity_friction_shear_limit.argtypes = [
         ctypes.c_void_p, ctypes.c_size_t, _double_pointer, _double_pointer]
+    library.asperity_friction_topography.argtypes = [
+        ctypes.c_void_p, ctypes.POINTER(ctypes.c_size_t), _double_pointer,
+        _double_pointer]
     found = library.asperity_friction_version()
     if found != _VERSION:
         raise FrictionError(f"The library '{path}' has the version {found}; "
@@ -214,6 +228,7 @@ class FrictionLaw:
         self._handle = ctypes.c_void_p(handle)
         self.inputs = [self._input(index) for index in range(
             self._library.asperity_friction_n_inputs(self._handle))]
+        self.topography = self._topography()
 
     def __del__(self):
         if self._handle:
@@ -299,6 +314,14 @@ class FrictionLaw:
             self._handle, index, ctypes.byref(found)))
         return Input(found.name.decode(), found.symbol.decode(),
                      found.unit.decode(), found.lower, found.upper)
+
+    def _topography(self):
+        profiles, scatter = ctypes.c_size_t(), ctypes.c_double()
+        error = ctypes.c_double()
+        self._check(self._library.asperity_friction_topography(
+            self._handle, ctypes.byref(profiles), ctypes.byref(scatter),
+            ctypes.byref(error)))
+        return Topography(profiles.value, scatter.value, error.value)
 
     def _check(self, status):
         if status != 0:

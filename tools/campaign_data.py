@@ -108,19 +108,25 @@ class Law:
         output = document["output"]
         self.output = output["name"]
         self.is_logarithmic = output["scale"] == "logarithmic"
+        self.noise = output["factor"] * np.sqrt(
+            document["hyperparameters"]["noise_variance"])
         self.inputs = inputs
 
-    def predict(self, values):
-        """mu, ends of its 95 % interval, trusted; values: arrays by symbol."""
+    def predict(self, values, of_surface=False):
+        """mu, ends of the 95 % interval of another run on these profiles or of
+        the mean over the whole surface, trusted; values: arrays by symbol."""
         values = dict(zip(values, np.broadcast_arrays(*values.values())))
         points = [values.pop(symbol, 0.) for symbol in "pvT"]
         answer = self.law.predict(*points, others=values)
         mu, deviation = np.asarray(answer.mu), np.asarray(answer.deviation)
+        scale = mu if self.is_logarithmic else 1.
+        half = CONFIDENCE * np.hypot(deviation / scale, self.noise)
+        if of_surface:
+            half = np.hypot(half, self.law.topography.error * mu / scale)
+        trusted = np.asarray(answer.trusted)
         if self.is_logarithmic:
-            width = np.exp(CONFIDENCE * deviation / mu)
-            return mu, mu / width, mu * width, np.asarray(answer.trusted)
-        width = CONFIDENCE * deviation
-        return mu, mu - width, mu + width, np.asarray(answer.trusted)
+            return mu, mu * np.exp(-half), mu * np.exp(half), trusted
+        return mu, mu - half, mu + half, trusted
 
 
 def read_table(path, n_text_columns=0):

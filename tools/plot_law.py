@@ -227,9 +227,13 @@ def plot_beyond(campaign, folder):
     inside = (a >= across.lower) & (a <= across.upper)
     tops, bottoms = [], []
     for axes, level in zip(panels[0], campaign.slices):
-        mu, lower, upper, trusted = campaign.law.predict(
-            campaign.point(a, v, level))
+        points = campaign.point(a, v, level)
+        mu, lower, upper, trusted = campaign.law.predict(points)
+        _, *whole, _ = campaign.law.predict(points, of_surface=True)
         x = across.shown(a)
+        if campaign.law.law.topography.profiles > 1:
+            axes.fill_between(x, *whole, color=LAW_COLOUR, alpha=0.1, lw=0.,
+                              label="95 % interval of the whole surface")
         axes.fill_between(x, lower, upper, color=LAW_COLOUR, alpha=0.2, lw=0.,
                           label="95 % interval")
         axes.plot(x, mu, "--", color=LAW_COLOUR, lw=1.2, label="law")
@@ -251,8 +255,8 @@ def plot_beyond(campaign, folder):
                  if entry is not None]
         axes.set(xlabel=across.label(), title=", ".join(title))
         axes.grid(alpha=0.3)
-        tops.append(max(upper[inside].max(), mu.max()))
-        bottoms.append(min(lower[inside].min(), mu.min()))
+        tops.append(max(whole[1][inside].max(), mu.max()))
+        bottoms.append(min(whole[0][inside].min(), mu.min()))
     room = 0.35 * (max(tops) - min(bottoms))
     panels[0][0].set_ylim(max(0., min(bottoms) - room), max(tops) + room)
     panels[0][0].set_ylabel(f"friction coefficient {label_of(campaign)}")

@@ -118,7 +118,7 @@ namespace asperity
     }
 
     json
-    describe_law(const FrictionLaw &law)
+    describe_law(const FrictionLaw &law, const ProfileScatter &scatter)
     {
       const FrictionLawDescription &description = law.description();
       const Hyperparameters        &values = law.process().hyperparameters();
@@ -127,10 +127,16 @@ namespace asperity
       result["output"]              = description.output;
       result["leave_one_out_error"] = description.leave_one_out_error;
       result["calibration"]         = description.calibration;
-      result["topography_scatter"]  = description.topography_scatter;
-      result["log_likelihood"]      = law.process().log_likelihood();
-      result["signal_variance"]     = values.signal_variance;
-      result["noise_variance"]      = values.noise_variance;
+      result["topography"]          = {{"profiles", description.n_profiles},
+                                       {"scatter", description.topography_scatter},
+                                       {"scatter_beyond_factors",
+                                        scatter.beyond_factor()},
+                                       {"error", description.topography_error}};
+      for (unsigned int k = 0; k < description.n_profiles; ++k)
+        result["topography"]["factors"].push_back(scatter.factor(k));
+      result["log_likelihood"]  = law.process().log_likelihood();
+      result["signal_variance"] = values.signal_variance;
+      result["noise_variance"]  = values.noise_variance;
       for (std::size_t i = 0; i < description.inputs.size(); ++i)
         result["length_scales"][description.inputs[i].symbol] =
           values.length_scales[i];
@@ -140,6 +146,7 @@ namespace asperity
     void
     print_law(const CampaignParameters &parameters,
               const FrictionLaw        &law,
+              const ProfileScatter     &scatter,
               const TestReport         &test,
               std::ostream             &out)
     {
@@ -153,10 +160,13 @@ namespace asperity
             << percent(test.mean_relative_error) << ", largest "
             << percent(test.largest_error) << "; " << percent(test.coverage)
             << " of them in the 95 % interval\n";
-      if (description.topography_scatter > 0.)
-        out << "  " << description.output << " differs by "
+      if (description.n_profiles > 1)
+        out << "  " << description.n_profiles << " profiles differ by "
             << percent(description.topography_scatter)
-            << " (standard deviation) between profiles\n";
+            << " (standard deviation), " << percent(scatter.beyond_factor())
+            << " beyond a factor of each; the mean over the whole surface lies "
+               "within "
+            << percent(description.topography_error) << " (95 %)\n";
     }
   } // namespace
 
@@ -186,7 +196,7 @@ namespace asperity
         << " failed, " << format_duration(results.seconds())
         << " of one core in all; this session " << format_duration(wall_time)
         << "\n";
-    print_law(parameters, law, test, out);
+    print_law(parameters, law, results.scatter(), test, out);
 
     json summary;
     summary["program"]    = version_json();
@@ -195,7 +205,7 @@ namespace asperity
             {"training", table.count(SampleRole::training, SampleStatus::done)},
             {"test", table.count(SampleRole::test, SampleStatus::done)},
             {"failed", n_failed}};
-    summary["law"]         = describe_law(law);
+    summary["law"]         = describe_law(law, results.scatter());
     summary["test"]        = to_json(test);
     summary["power_laws"]  = compare_power_laws(law, out);
     summary["sensitivity"] = report_sensitivity(directory, law, out);

@@ -65,36 +65,7 @@ namespace asperity
       limit.melting_temperature = material.johnson_cook.melting_temperature;
       return limit;
     }
-  } // namespace
 
-
-
-  TestReport
-  test_law(const FrictionLaw &law, const SampleData &tests)
-  {
-    TestReport        report;
-    const std::size_t d = law.description().inputs.size();
-    report.n_runs       = tests.y.size();
-    unsigned int inside = 0;
-    for (std::size_t i = 0; i < tests.y.size(); ++i)
-      {
-        const LawPrediction prediction = law.predict(&tests.x[i * d]);
-        const double        error =
-          std::abs(prediction.mean - tests.y[i]) / std::abs(tests.y[i]);
-        report.mean_relative_error += error / tests.y.size();
-        report.largest_error = std::max(report.largest_error, error);
-        if (prediction.lower <= tests.y[i] && tests.y[i] <= prediction.upper)
-          ++inside;
-      }
-    if (report.n_runs > 0)
-      report.coverage = static_cast<double>(inside) / report.n_runs;
-    return report;
-  }
-
-
-
-  namespace
-  {
     SampleData
     read_tests(const std::string &path, const SampleTable &own)
     {
@@ -121,6 +92,7 @@ namespace asperity
     : parameters(parameters)
     , plan(plan)
     , table_(plan.inputs(), outputs(parameters.law.output))
+    , scatter_(plan.n_profiles())
     , shear_limit(shear_limit_of(parameters))
   {
     const std::string &path = parameters.design.test_table;
@@ -141,45 +113,43 @@ namespace asperity
 
   Sample
   CampaignResults::combine(const PlannedPoint           &point,
-                           const std::vector<RunRecord> &records)
+                           const std::vector<RunRecord> &records) const
   {
     const auto columns = output_columns(parameters.law.output);
     Sample     sample;
     sample.id   = point.id;
     sample.x    = point.x;
     sample.role = point.test ? SampleRole::test : SampleRole::training;
-    for (std::size_t i = 0; i < records.size(); ++i)
-      if (!records[i].done)
-        {
-          sample.status = SampleStatus::failed;
-          sample.reason =
-            (records.size() > 1 ? "Profile " + std::to_string(i + 1) + ": " :
-                                  "") +
-            records[i].reason;
-          return sample;
-        }
 
-    const double n = records.size();
+    std::vector<RunRecord>             done;
+    std::vector<std::optional<double>> values(records.size());
+    for (std::size_t k = 0; k < records.size(); ++k)
+      if (records[k].done)
+        {
+          values[k] = records[k].*columns[0].value;
+          done.push_back(records[k]);
+        }
+      else if (sample.reason.empty())
+        sample.reason =
+          (records.size() > 1 ? "Profile " + std::to_string(k + 1) + ": " :
+                                "") +
+          records[k].reason;
+
+    const auto mean = scatter_.mean(values);
+    if (!mean)
+      {
+        sample.status = SampleStatus::failed;
+        return sample;
+      }
     for (const OutputColumn &column : columns)
       {
-        double mean = 0.;
-        for (const RunRecord &record : records)
-          mean += record.*column.value / n;
-        sample.outputs.push_back(mean);
+        double sum = 0.;
+        for (const RunRecord &record : done)
+          sum += record.*column.value;
+        sample.outputs.push_back(sum / done.size());
       }
-    if (records.size() > 1)
-      {
-        const double mean     = sample.outputs[0];
-        double       variance = 0.; // between profiles
-        for (const RunRecord &record : records)
-          variance += std::pow(record.*columns[0].value - mean, 2) / (n - 1.);
-        sample.deviation = std::sqrt(variance / n);
-        if (mean != 0.)
-          {
-            sum_of_variances += variance / (mean * mean);
-            ++n_variances;
-          }
-      }
+    sample.outputs[0] = mean->mean;
+    sample.deviation  = mean->deviation;
     return sample;
   }
 
@@ -189,37 +159,59 @@ namespace asperity
   CampaignResults::collect()
   {
     table_   = SampleTable(plan.inputs(), outputs(parameters.law.output));
+    scatter_ = ProfileScatter(plan.n_profiles());
     seconds_ = 0.;
-    sum_of_variances = 0.;
-    n_variances      = 0;
+    n_points_with_gaps_ = 0;
     warnings_.clear();
+    const auto value = output_columns(parameters.law.output)[0].value;
+
+    std::vector<std::pair<PlannedPoint, std::vector<RunRecord>>> finished;
     for (const PlannedPoint &point : plan.points())
       {
         std::vector<RunRecord> records;
+        std::vector<double>    values;
         for (unsigned int k = 0; k < plan.n_profiles(); ++k)
           {
             const RunOrder order = plan.order(point, k);
             if (const auto record = read_record(path_of(order), order))
-              records.push_back(*record);
-          }
-        for (const RunRecord &record : records)
-          {
-            seconds_ += record.seconds;
-            for (const std::string &warning : record.warnings)
               {
-                const auto known = std::find_if(warnings_.begin(),
-                                                warnings_.end(),
-                                                [&](const auto &entry) {
-                                                  return entry.first == warning;
-                                                });
-                if (known == warnings_.end())
-                  warnings_.emplace_back(warning, 1);
-                else
-                  ++known->second;
+                note(*record);
+                records.push_back(*record);
+                if (record->done)
+                  values.push_back((*record).*value);
               }
           }
+        if (values.size() == plan.n_profiles())
+          scatter_.add(values);
         if (records.size() == plan.n_profiles())
-          table_.add(combine(point, records));
+          finished.emplace_back(point, records);
+      }
+    for (const auto &[point, records] : finished)
+      {
+        const Sample sample = combine(point, records);
+        table_.add(sample);
+        if (sample.status == SampleStatus::done && !sample.reason.empty())
+          ++n_points_with_gaps_;
+      }
+  }
+
+
+
+  void
+  CampaignResults::note(const RunRecord &record)
+  {
+    seconds_ += record.seconds;
+    for (const std::string &warning : record.warnings)
+      {
+        const auto known = std::find_if(warnings_.begin(),
+                                        warnings_.end(),
+                                        [&](const auto &entry) {
+                                          return entry.first == warning;
+                                        });
+        if (known == warnings_.end())
+          warnings_.emplace_back(warning, 1);
+        else
+          ++known->second;
       }
   }
 
@@ -317,13 +309,13 @@ namespace asperity
     description.output_scale = parameters.law.output_scale;
     description.largest_trusted_deviation =
       parameters.law.largest_trusted_deviation;
-    description.topography_scatter = topography_scatter();
+    description.n_profiles         = plan.n_profiles();
+    description.topography_scatter = scatter_.total();
     description.shear_limit        = shear_limit;
 
     nlohmann::ordered_json &provenance = description.provenance;
     provenance["program"]              = version_json();
     provenance["base_scene"]           = parameters.base_scene;
-    provenance["profiles"]             = plan.n_profiles();
     provenance["runs"]                 = data.y.size();
     return FrictionLaw::train(description, data.x, data.y, data.deviation);
   }
@@ -358,10 +350,10 @@ namespace asperity
 
 
 
-  double
-  CampaignResults::topography_scatter() const
+  const ProfileScatter &
+  CampaignResults::scatter() const
   {
-    return n_variances > 0 ? std::sqrt(sum_of_variances / n_variances) : 0.;
+    return scatter_;
   }
 
 
@@ -372,6 +364,10 @@ namespace asperity
     std::vector<std::string> result;
     for (const auto &[warning, n] : warnings_)
       result.push_back(std::to_string(n) + " runs: " + warning);
+    if (n_points_with_gaps_ > 0)
+      result.push_back("At " + std::to_string(n_points_with_gaps_) +
+                       " points some profiles have failed; the mean over all "
+                       "of them is estimated from the others.");
     return result;
   }
 } // namespace asperity

@@ -98,6 +98,20 @@ namespace asperity
              " of the mean";
     }
 
+    /** What is known of the mean over the whole surface. */
+    std::string
+    surface_line(const FrictionLawDescription &law, const LawPrediction &at)
+    {
+      if (law.n_profiles < 2)
+        return "whole surface: scatter unknown, since all runs are on one "
+               "profile";
+      return "whole surface: 95 % interval " +
+             format_quantity(at.surface_lower, "1", 5) + " to " +
+             format_quantity(at.surface_upper, "1", 5) + ", from " +
+             std::to_string(law.n_profiles) + " profiles that differ by " +
+             percent(law.topography_scatter);
+    }
+
     void
     print_derivatives(const FrictionLawDescription &law,
                       const LawPrediction          &at)
@@ -210,10 +224,7 @@ namespace asperity
               << ", 95 % interval " << format_quantity(at.lower, "1", 5)
               << " to " << format_quantity(at.upper, "1", 5) << "\n"
               << trust_line(description, point, at) << "\n";
-    if (description.topography_scatter > 0.)
-      std::cout << "scatter between profiles of the surface: "
-                << percent(description.topography_scatter)
-                << ", not in the interval\n";
+    std::cout << surface_line(description, at) << "\n";
     print_derivatives(description, at);
     print_shear(description, point, at);
     return 0;

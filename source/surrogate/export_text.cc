@@ -106,8 +106,13 @@ namespace asperity
                                                              "mu."));
     if (d.topography_scatter > 0.)
       append_wrapped(lines,
-                     "Scatter between profiles of the surface: " +
-                       percent(d.topography_scatter) + ", not part of sigma.");
+                     "Mean over " + std::to_string(d.n_profiles) +
+                       " profiles of the surface, which differ by " +
+                       percent(d.topography_scatter) +
+                       " (standard deviation): the mean over the whole "
+                       "surface may be off by " +
+                       percent(d.topography_error) +
+                       " (95 %), which is not part of sigma.");
     append_wrapped(lines, "Ranges of the training data:");
     for (unsigned int c = 0; c < ContactPointLaw::n_coordinates; ++c)
       if (const LawInput *const input = law.input(c))

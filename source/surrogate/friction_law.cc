@@ -214,19 +214,21 @@ namespace asperity
     const bool is_logarithmic = description_.output_scale == Scale::logarithmic;
     const double of_function  = factor_ * std::sqrt(variance);
     const double noise        = process_->hyperparameters().noise_variance;
-    const double of_run       = factor_ * std::sqrt(variance + noise);
     result.mean               = unscaled(value);
     result.deviation = is_logarithmic ? result.mean * of_function : of_function;
-    if (is_logarithmic)
-      {
-        result.lower = result.mean * std::exp(-1.96 * of_run);
-        result.upper = result.mean * std::exp(1.96 * of_run);
-      }
-    else
-      {
-        result.lower = result.mean - 1.96 * of_run;
-        result.upper = result.mean + 1.96 * of_run;
-      }
+
+    const auto interval = [&](const double half, double &lower, double &upper) {
+      const double m = result.mean;
+      lower          = is_logarithmic ? m * std::exp(-half) : m - half;
+      upper          = is_logarithmic ? m * std::exp(half) : m + half;
+    };
+    const double of_run        = 1.96 * factor_ * std::sqrt(variance + noise);
+    const double of_topography = description_.topography_error *
+                                 (is_logarithmic ? 1. : std::abs(result.mean));
+    interval(of_run, result.lower, result.upper);
+    interval(std::hypot(of_run, of_topography),
+             result.surface_lower,
+             result.surface_upper);
 
     // d mean / d value, times d value / d z, times d z / d x
     const double slope = is_logarithmic ? factor_ * result.mean : factor_;

@@ -12,7 +12,7 @@ namespace asperity
     using Json = nlohmann::ordered_json;
 
     const char *const format_name    = "asperity friction law";
-    constexpr int     format_version = 2;
+    constexpr int     format_version = 3;
 
     /** A part of the document, with its place for messages. */
     class Node
@@ -78,6 +78,14 @@ namespace asperity
           fail(or_equal ? "a number that is not negative" :
                           "a positive number");
         return value;
+      }
+
+      unsigned int
+      count() const
+      {
+        if (!json.is_number_unsigned() || json.get<unsigned int>() == 0)
+          fail("a number of at least 1 without decimals");
+        return json.get<unsigned int>();
       }
 
       std::vector<double>
@@ -182,8 +190,12 @@ namespace asperity
         {KernelKind::rbf, KernelKind::matern_3_2, KernelKind::matern_5_2});
       result.largest_trusted_deviation =
         law.child("largest_trusted_deviation").number_above(0., true);
+      const Node topography = law.child("topography");
+      result.n_profiles     = topography.child("profiles").count();
       result.topography_scatter =
-        law.child("topography_scatter").number_above(0., true);
+        topography.child("scatter").number_above(0., true);
+      result.topography_error =
+        topography.child("error").number_above(0., true);
       result.leave_one_out_error =
         law.child("leave_one_out_error").number_above(0., true);
       result.calibration = law.child("calibration").number_above(0., false);
@@ -271,7 +283,9 @@ namespace asperity
                                     {"length_scales", found.length_scales},
                                     {"noise_variance", found.noise_variance}};
     law["largest_trusted_deviation"] = description_.largest_trusted_deviation;
-    law["topography_scatter"]        = description_.topography_scatter;
+    law["topography"]                = {{"profiles", description_.n_profiles},
+                                        {"scatter", description_.topography_scatter},
+                                        {"error", description_.topography_error}};
     law["leave_one_out_error"]       = description_.leave_one_out_error;
     law["calibration"]               = description_.calibration;
     law["shear_limit"] = shear_limit_to_json(description_.shear_limit);

@@ -1,6 +1,8 @@
 #include <asperity/surrogate/friction_law.h>
 #include <asperity/surrogate/hyperparameter_search.h>
 
+#include <gsl/gsl_cdf.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -46,16 +48,17 @@ namespace asperity
       constexpr std::size_t least_points = 20; // no 95 % of fewer
       constexpr double      largest      = 2.; // what few points may change
 
-      const std::vector<double> &y = process.data().y;
-      const std::size_t          n = y.size();
-      // A factor on all variances leaves the mean; known ones are fixed.
-      if (n < least_points || !process.data().known_variance.empty())
-        return 1.;
+      const TrainingData &data     = process.data();
       const auto          left_out = process.leave_one_out();
-      std::vector<double> error(n);
-      for (std::size_t j = 0; j < n; ++j)
-        error[j] =
-          std::abs(left_out[j].mean - y[j]) / std::sqrt(left_out[j].variance);
+      std::vector<double> error;
+      for (std::size_t j = 0; j < data.y.size(); ++j)
+        // A factor on all variances leaves the mean; known ones are fixed.
+        if (data.known_variance.empty() || data.known_variance[j] == 0.)
+          error.push_back(std::abs(left_out[j].mean - data.y[j]) /
+                          std::sqrt(left_out[j].variance));
+      const std::size_t n = error.size();
+      if (n < least_points)
+        return 1.;
       const auto rank = static_cast<std::size_t>(std::ceil(0.95 * (n + 1.)));
       const auto quantile = error.begin() + (std::min(rank, n) - 1);
       std::nth_element(error.begin(), quantile, error.end());
@@ -88,7 +91,11 @@ namespace asperity
     law.process_ =
       std::make_shared<const GaussianProcess>(description.kernel, chosen, data);
     law.description_.calibration = factor;
-    law.description_.warnings    = found.warnings;
+    if (const double n = description.n_profiles; n > 1.)
+      law.description_.topography_error = gsl_cdf_tdist_Pinv(0.975, n - 1.) *
+                                          description.topography_scatter /
+                                          std::sqrt(n);
+    law.description_.warnings = found.warnings;
     if (law.process_->jitter() > 0.)
       law.description_.warnings.push_back(
         "A jitter was added to the diagonal of the covariance matrix: some "

@@ -102,6 +102,14 @@ TEST(CInterface, agrees_with_the_law)
                 0);
       for (std::size_t j = 0; j < all.size(); ++j)
         EXPECT_DOUBLE_EQ(k[j], law.description().shear_limit(all[j][2]));
+      std::size_t n_profiles;
+      double      scatter, error;
+      ASSERT_EQ(asperity_friction_topography(
+                  handle.get(), &n_profiles, &scatter, &error),
+                0);
+      EXPECT_EQ(n_profiles, 3u);
+      EXPECT_EQ(scatter, 0.2);
+      EXPECT_EQ(error, law.description().topography_error);
     }
 }
 
@@ -210,6 +218,11 @@ TEST(CInterface, says_what_is_wrong)
   EXPECT_STREQ(asperity_friction_last_error(),
                "The friction law or the array for mu is NULL.");
   EXPECT_EQ(asperity_friction_n_inputs(nullptr), 0u);
+  EXPECT_NE(asperity_friction_topography(nullptr, nullptr, nullptr, nullptr),
+            0);
+  EXPECT_STREQ(asperity_friction_last_error(),
+               "The friction law or the place of one of its three results is "
+               "NULL.");
   asperity_friction_free(nullptr);
 
   train(law_kinds[2]).save((folder.path / "law.json").string());
@@ -276,5 +289,5 @@ int main(void)
       EXPECT_EQ(name.compare(0, 18, "asperity_friction_"), 0) << name;
       ++n_functions;
     }
-  EXPECT_EQ(n_functions, 9u);
+  EXPECT_EQ(n_functions, 10u);
 }

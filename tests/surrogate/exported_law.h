@@ -74,6 +74,8 @@ namespace asperity_test
                            {"Lubrication/Wetting", "Wetting", "1", 0., 1.});
     result.kernel                = kind.kernel;
     result.output_scale          = kind.output_scale;
+    result.n_profiles            = 3;
+    result.topography_scatter    = 0.2;
     result.shear_limit           = {6e8, 1.3558, 293.15, 1773.15, 1., 1e4};
     result.provenance["surface"] = "blasted.x3p";
     // what would end a comment in C, or a line of it

@@ -167,7 +167,8 @@ TEST(FrictionLaw, deviation_is_calibrated_by_cross_validation)
 
 
 
-// Few points tell no 95 %, and known deviations are not to be scaled.
+// Few points tell no 95 %, and known deviations are not to be scaled: the
+// points that have one are left out.
 TEST(FrictionLaw, deviation_is_left_alone_without_a_measure)
 {
   const Samples few(19), many(40);
@@ -179,6 +180,12 @@ TEST(FrictionLaw, deviation_is_left_alone_without_a_measure)
                                many.x,
                                many.y,
                                std::vector<double>(40, 1e-4))
+              .description()
+              .calibration,
+            1.);
+  std::vector<double> some(40, 0.);
+  some[3] = 1e-4;
+  EXPECT_NE(FrictionLaw::train(description_of_mu(), many.x, many.y, some)
               .description()
               .calibration,
             1.);

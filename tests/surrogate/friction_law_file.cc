@@ -22,6 +22,7 @@ namespace
       {"Load/Velocity", "v", "m/min", 1. / 3., 10. / 3., Scale::logarithmic}};
     description.output                    = "mu \"quoted\"";
     description.largest_trusted_deviation = 0.1 + 0.2;
+    description.n_profiles                = 4;
     description.topography_scatter        = 1. / 30.;
     description.shear_limit         = {6.3e8, 1.03, 298.15, 1793.15, 1., 1e4};
     description.provenance["files"] = {"surface.sdf", "scene.prm"};
@@ -107,6 +108,9 @@ TEST(FrictionLawFile, predicts_the_same_bits_after_a_round_trip)
       EXPECT_EQ(description.inputs[1].lower, 1. / 3.);
       EXPECT_EQ(description.inputs[1].scale, Scale::logarithmic);
       EXPECT_EQ(description.output, "mu \"quoted\"");
+      EXPECT_EQ(description.n_profiles, 4u);
+      EXPECT_EQ(description.topography_error,
+                law.description().topography_error);
       EXPECT_EQ(description.topography_scatter, 1. / 30.);
       EXPECT_EQ(description.largest_trusted_deviation, 0.1 + 0.2);
       EXPECT_EQ(description.leave_one_out_error,
@@ -125,7 +129,7 @@ TEST(FrictionLawFile, every_entry_is_needed)
   std::vector<std::string> pointers;
   collect_pointers(good_document(), "", pointers);
   collect_pointers(good_document()["inputs"][1], "/inputs/1", pointers);
-  EXPECT_EQ(pointers.size(), 36u);
+  EXPECT_EQ(pointers.size(), 39u);
   for (const std::string &pointer : pointers)
     {
       Json       document = good_document();
@@ -151,7 +155,7 @@ TEST(FrictionLawFile, wrong_entries_are_named)
                     law = "' of the friction law is ";
   EXPECT_EQ(message_with("/version", 1),
             by + "'version" + law +
-              "1; 2, the version that this program reads, is expected.");
+              "1; 3, the version that this program reads, is expected.");
   EXPECT_EQ(message_with("/kernel", "cubic"),
             by + "'kernel" + law +
               "\"cubic\"; 'rbf' or 'matern_3_2' or 'matern_5_2' is expected.");
@@ -162,6 +166,9 @@ TEST(FrictionLawFile, wrong_entries_are_named)
             by + "'inputs/0/lower" + law + "\"3e8\"; a number is expected.");
   EXPECT_EQ(message_with("/inputs/0/name", 7),
             by + "'inputs/0/name" + law + "7; a text is expected.");
+  EXPECT_EQ(message_with("/topography/profiles", 0),
+            by + "'topography/profiles" + law +
+              "0; a number of at least 1 without decimals is expected.");
   EXPECT_EQ(message_with("/inputs", 7),
             by + "'inputs" + law + "7; a list is expected.");
   EXPECT_EQ(message_with("/output", "mu"),

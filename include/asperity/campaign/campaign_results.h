@@ -2,6 +2,8 @@
 #define asperity_campaign_campaign_results_h
 
 #include <asperity/campaign/campaign_plan.h>
+#include <asperity/campaign/law_test.h>
+#include <asperity/campaign/profile_scatter.h>
 #include <asperity/surrogate/sample_table.h>
 
 #include <string>
@@ -9,20 +11,6 @@
 
 namespace asperity
 {
-  /** How well a law predicts runs that it was not trained on. */
-  struct TestReport
-  {
-    unsigned int n_runs              = 0;
-    double       mean_relative_error = 0.;
-    double       largest_error       = 0.; ///< relative
-
-    /** Share of runs inside the 95 % interval. */
-    double coverage = 0.;
-  };
-
-  TestReport
-  test_law(const FrictionLaw &law, const SampleData &tests);
-
   /** A law trained on the first runs of a campaign. */
   struct HistoryRow
   {
@@ -45,7 +33,9 @@ namespace asperity
     void
     collect();
 
-    /** One row a point: means over its profiles. */
+    /** One row a point: means over its profiles. Where a profile has failed,
+     *  the mean of the law's output is estimated from the others, with its
+     *  deviation and the reason. */
     const SampleTable &
     table() const;
 
@@ -79,9 +69,10 @@ namespace asperity
     double
     seconds() const;
 
-    /** Relative standard deviation of mu between profiles. */
-    double
-    topography_scatter() const;
+    /** How the law's output differs between profiles, from the points that have
+     *  all of them. */
+    const ProfileScatter &
+    scatter() const;
 
     /** Warnings of the runs, each with the number of runs that gave it. */
     std::vector<std::string>
@@ -89,7 +80,12 @@ namespace asperity
 
   private:
     Sample
-    combine(const PlannedPoint &point, const std::vector<RunRecord> &records);
+    combine(const PlannedPoint           &point,
+            const std::vector<RunRecord> &records) const;
+
+    /** Adds up time and warnings. */
+    void
+    note(const RunRecord &record);
 
     const CampaignParameters &parameters;
     const CampaignPlan       &plan;
@@ -98,9 +94,8 @@ namespace asperity
     double                    seconds_ = 0.;
     ShearLimit                shear_limit;
 
-    /** Sum and number of relative variances between profiles. */
-    double       sum_of_variances = 0.;
-    unsigned int n_variances      = 0;
+    ProfileScatter scatter_;
+    unsigned int   n_points_with_gaps_ = 0;
 
     std::vector<std::pair<std::string, unsigned int>> warnings_;
   };

@@ -63,9 +63,13 @@ namespace asperity
 
     /** Another run would give a value between them with a probability of 95 %:
      *  the deviation and the noise of a run (of mesh and time steps, and of
-     * what the process cannot follow), but not the scatter of the topography.
-     */
+     * what the process cannot follow) on the profiles that were computed. */
     double lower = 0., upper = 0.;
+
+    /** The mean over the whole surface lies between them with a probability of
+     *  95 %: [lower, upper], widened by
+     *  FrictionLawDescription::topography_error. */
+    double surface_lower = 0., surface_upper = 0.;
 
     /** Inside the box of the training data, with a deviation of at most
      *  FrictionLaw::largest_trusted_deviation times the mean. */
@@ -82,9 +86,19 @@ namespace asperity
 
     double largest_trusted_deviation = 0.05; ///< relative to the mean
 
-    /** Relative standard deviation between profiles of the same surface; 0 if
-     *  there was only one. Not a part of LawPrediction::deviation. */
+    /** Profiles of the surface over which the output is a mean. */
+    unsigned int n_profiles = 1;
+
+    /** Relative standard deviation S between these profiles; 0 if there was
+     *  only one. */
     double topography_scatter = 0.;
+
+    /** Half width of the 95 % interval of the mean over the whole surface, from
+     *  the scatter between the K profiles alone, relative to the mean: S /
+     *  sqrt(K) times Student's quantile for K - 1 degrees of freedom; 0, that
+     *  is unknown, for one profile. All points share this error, so that it is
+     *  no part of LawPrediction::deviation. Set by training. */
+    double topography_error = 0.;
 
     /** Relative leave-one-out error, mean of |error| / value; set by training.
      */
@@ -127,8 +141,8 @@ namespace asperity
 
     /**
      * Trains the hyperparameters by maximum likelihood, and the size of the
-     * deviations by leave-one-out errors (from 20 points without known
-     * deviations on).
+     * deviations by leave-one-out errors (from 20 points without a known
+     * deviation on).
      * @param x n x d inputs in SI @param y n values
      * @param known_deviation standard deviation of each value, or empty
      * @throws InputError if values are not positive on a logarithmic scale, not

@@ -269,4 +269,23 @@ extern "C"
                                      std::numeric_limits<double>::infinity();
     });
   }
+
+
+
+  int
+  asperity_friction_topography(const asperity_friction_law *law,
+                               size_t                      *n_profiles,
+                               double                      *scatter,
+                               double                      *error)
+  {
+    return guarded([&] {
+      require(law != nullptr && n_profiles != nullptr && scatter != nullptr &&
+                error != nullptr,
+              "The friction law or the place of one of its three results is "
+              "NULL.");
+      *n_profiles = law->law.description().n_profiles;
+      *scatter    = law->law.description().topography_scatter;
+      *error      = law->law.description().topography_error;
+    });
+  }
 }
