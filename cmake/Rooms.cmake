@@ -17,16 +17,17 @@ function(asperity_flags target)
   endif()
 endfunction()
 
-# asperity_precompile(target room): where a room has meshes, deal.II's headers take
+# asperity_precompile(target room): where a room rests on deal.II, its headers take
 # half of the time of a compilation and are parsed once for all.
-set(rooms_with_meshes isogeometric solid contact postprocess fluid mesh_motion coupling contact_zone)
+set(rooms_on_deal_ii splines isogeometric solvers solid contact postprocess
+  fluid mesh_motion coupling contact_zone campaign)
 function(asperity_precompile target room)
-  if(NOT ASPERITY_PRECOMPILE_HEADERS OR NOT room IN_LIST rooms_with_meshes)
+  if(NOT ASPERITY_PRECOMPILE_HEADERS OR NOT room IN_LIST rooms_on_deal_ii)
     return()
-  elseif(target STREQUAL asperity_isogeometric)
+  elseif(target STREQUAL asperity_splines)
     target_precompile_headers(${target} PRIVATE ${CMAKE_SOURCE_DIR}/cmake/precompiled.h)
   else()
-    target_precompile_headers(${target} REUSE_FROM asperity_isogeometric)
+    target_precompile_headers(${target} REUSE_FROM asperity_splines)
   endif()
 endfunction()
 
