@@ -1,5 +1,5 @@
-// Parsed once for all rooms that rest on deal.II, see Rooms.cmake. Sources include
-// what they use all the same.
+// Parsed once for all rooms that rest on deal.II, see Rooms.cmake. Sources
+// include what they use all the same.
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/affine_constraints.h>
