@@ -234,7 +234,7 @@ main(int argc, char **argv)
 {
   use_one_thread_per_rank();
   dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const MpiSession mpi(argc, argv);
   try
     {
       return dispatch(Arguments(argv + 1, argv + argc));

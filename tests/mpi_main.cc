@@ -1,7 +1,5 @@
 #include <asperity/base/environment.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <gtest/gtest.h>
 
 // The main function of the rooms that build on deal.II's parallel classes. MPI
@@ -13,6 +11,6 @@ main(int argc, char **argv)
   testing::InitGoogleTest(&argc, argv);
   if (testing::GTEST_FLAG(list_tests))
     return RUN_ALL_TESTS();
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const asperity::MpiSession mpi(argc, argv);
   return RUN_ALL_TESTS();
 }

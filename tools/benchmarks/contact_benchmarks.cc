@@ -6,8 +6,6 @@
 #include <asperity/base/environment.h>
 #include <asperity/solvers/direct_solver.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <contact/contact_examples.h>
 
 #include <algorithm>
@@ -196,7 +194,7 @@ int
 main(int argc, char **argv)
 {
   use_one_thread_per_rank();
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const MpiSession  mpi(argc, argv);
   const std::string directory = argc > 1 ? argv[1] : ".";
   punch_table(directory);
   ironing_table(directory);

@@ -1,6 +1,7 @@
 // The Reynolds film against formulas and against Stokes flow.
 // Usage: film_benchmarks FOLDER; writes FOLDER/film_*.csv and prints them.
 
+#include <asperity/base/environment.h>
 #include <asperity/fluid/film_walls.h>
 
 #include <cmath>
@@ -267,7 +268,7 @@ main(int argc, char **argv)
     }
   try
     {
-      const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+      const asperity::MpiSession mpi(argc, argv);
       slider_grids(argv[1]);
       piezoviscous_slider(argv[1]);
       reynolds_against_stokes(argv[1]);

@@ -9,7 +9,6 @@
 
 #include <asperity/base/environment.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
 
 #include <fluid/channel_examples.h>
@@ -347,7 +346,7 @@ int
 main(int argc, char **argv)
 {
   asperity::use_one_thread_per_rank();
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const asperity::MpiSession mpi(argc, argv);
   std::cout.precision(8);
   const std::string which = argc > 1 ? argv[1] : "all";
   if (which == "dfg1" || which == "all")

@@ -19,7 +19,6 @@
 
 #include <asperity/base/environment.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
 
 #include <coupling/inflatable_box.h>
@@ -362,7 +361,7 @@ int
 main(int argc, char **argv)
 {
   asperity::use_one_thread_per_rank();
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const asperity::MpiSession mpi(argc, argv);
   try
     {
       return run({argv + 1, argv + argc});

@@ -10,7 +10,6 @@
 #include <asperity/mesh_motion/elastic_mesh_update.h>
 #include <asperity/mesh_motion/mesh_quality.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/fe/mapping_q1.h>
 #include <deal.II/fe/mapping_q_eulerian.h>
 
@@ -280,9 +279,9 @@ int
 main(int argc, char **argv)
 {
   asperity::use_one_thread_per_rank();
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  const std::string directory = argc > 1 ? argv[1] : ".";
-  std::ofstream     file(directory + "/mesh_motion.csv");
+  const asperity::MpiSession mpi(argc, argv);
+  const std::string          directory = argc > 1 ? argv[1] : ".";
+  std::ofstream              file(directory + "/mesh_motion.csv");
   file << "mesh,distance_um,scaled_jacobian\n";
   std::cout << "Sliding distance to the first inverted cell [um]\n";
   tabulate_elastic_distances();

@@ -9,7 +9,6 @@
 
 #include <asperity/base/environment.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
 
 #include <solid/cook_membrane.h>
@@ -237,7 +236,7 @@ int
 main(int argc, char **argv)
 {
   asperity::use_one_thread_per_rank();
-  const dealii::Utilities::MPI::MPI_InitFinalize        mpi(argc, argv, 1);
+  const asperity::MpiSession                            mpi(argc, argv);
   const std::vector<std::pair<std::string, void (*)()>> benchmarks = {
     {"csm", csm},
     {"swing", swing},

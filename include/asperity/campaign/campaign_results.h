@@ -69,8 +69,8 @@ namespace asperity
     double
     seconds() const;
 
-    /** How the law's output differs between profiles, from the points that have
-     *  all of them. */
+    /** How the law's output differs between profiles, from the training points
+     *  that have all of them. */
     const ProfileScatter &
     scatter() const;
 
