@@ -171,7 +171,7 @@ namespace asperity
                       "Values of the base scene's Tool/Topography/Profile "
                       "position, separated by commas: every point is computed "
                       "on each profile, mu is their mean, and their scatter "
-                      "becomes part of the uncertainty. Empty: one profile.");
+                      "tells how well it is known for the whole surface. Empty: one profile.");
       parameters.flag("Repeat failed runs",
                       repeat_failed_runs,
                       "Try runs again that failed in an earlier session.");
