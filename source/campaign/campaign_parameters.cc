@@ -166,12 +166,13 @@ namespace asperity
                       directory,
                       "Folder of the campaign; one that holds results goes on "
                       "from them.");
-      parameters.text("Profile positions",
-                      profile_positions,
-                      "Values of the base scene's Tool/Topography/Profile "
-                      "position, separated by commas: every point is computed "
-                      "on each profile, mu is their mean, and their scatter "
-                      "tells how well it is known for the whole surface. Empty: one profile.");
+      parameters.text(
+        "Profile positions",
+        profile_positions,
+        "Values of the base scene's Tool/Topography/Profile "
+        "position, separated by commas: every point is computed "
+        "on each profile, mu is their mean, and their scatter "
+        "tells how well it is known for the whole surface. Empty: one profile.");
       parameters.flag("Repeat failed runs",
                       repeat_failed_runs,
                       "Try runs again that failed in an earlier session.");
