@@ -92,8 +92,8 @@ namespace asperity
     : parameters(parameters)
     , plan(plan)
     , table_(plan.inputs(), outputs(parameters.law.output))
-    , scatter_(plan.n_profiles())
     , shear_limit(shear_limit_of(parameters))
+    , scatter_(plan.n_profiles())
   {
     const std::string &path = parameters.design.test_table;
     if (!path.empty())
