@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
-#include <regex>
 
 namespace asperity
 {
@@ -29,6 +28,19 @@ namespace asperity
           digits.find_first_not_of("0123456789") != std::string::npos)
         return std::nullopt;
       return std::stoi(digits);
+    }
+
+    /** The value of an attribute in a line of XML; empty if it has none. */
+    std::string
+    attribute(const std::string &line, const std::string &key)
+    {
+      const std::string start    = " " + key + "=\"";
+      const std::size_t position = line.find(start);
+      if (position == std::string::npos)
+        return "";
+      const std::size_t begin = position + start.size();
+      const std::size_t end   = line.find('"', begin);
+      return end == std::string::npos ? "" : line.substr(begin, end - begin);
     }
   } // namespace
 
@@ -81,19 +93,16 @@ namespace asperity
   void
   VtuSeries::read_record(const int keep_until_step)
   {
-    std::ifstream    in(directory + "/" + name + ".pvd");
-    const std::regex entry("timestep=\"([^\"]*)\".*file=\"([^\"]*)\"");
-    std::string      line;
+    std::ifstream in(directory + "/" + name + ".pvd");
+    std::string   line;
     while (std::getline(in, line))
       {
-        std::smatch match;
-        if (!std::regex_search(line, match, entry))
-          continue;
-        const auto step = step_of_file(match[2], name);
-        if (step && *step <= keep_until_step &&
-            std::filesystem::exists(directory + "/" + match[2].str()))
-          record.emplace_back(std::strtod(match[1].str().c_str(), nullptr),
-                              match[2]);
+        const std::string time = attribute(line, "timestep");
+        const std::string file = attribute(line, "file");
+        const auto        step = step_of_file(file, name);
+        if (!time.empty() && step && *step <= keep_until_step &&
+            std::filesystem::exists(directory + "/" + file))
+          record.emplace_back(std::strtod(time.c_str(), nullptr), file);
       }
   }
 
