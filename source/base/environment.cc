@@ -57,6 +57,8 @@ namespace asperity
   {
     const std::vector<std::pair<const char *, const char *>> settings = {
       {"OMPI_MCA_ess_singleton_isolated", "1"}, // no daemon
+      // Lone processes would share a directory and remove it for each other.
+      {"OMPI_MCA_orte_create_session_dirs", "0"},
       {"OMPI_MCA_pml", "ob1"},
       {"OMPI_MCA_btl", "self"}}; // messages to oneself only
     std::vector<const char *> set_here;

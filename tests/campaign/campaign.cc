@@ -156,7 +156,8 @@ namespace
 
 
 
-// Profiles that differ alike at all points leave the law as sharp as one.
+// Profiles that differ alike at all points leave the law as sharp as one, up to
+// where the search for the hyperparameters stops.
 TEST_F(CampaignRun, averages_over_profiles)
 {
   CampaignInput input(folder, text());
@@ -185,7 +186,7 @@ TEST_F(CampaignRun, averages_over_profiles)
   for (const Sample &test : results.table().samples())
     EXPECT_NEAR(law.predict(test.x.data()).upper,
                 of_one.predict(test.x.data()).upper,
-                1e-6 * formula(test.x[0], test.x[1]));
+                1e-4 * formula(test.x[0], test.x[1]));
   EXPECT_EQ(law.description().n_profiles, 3u);
   EXPECT_NEAR(law.description().topography_scatter, 0.3, 1e-12);
 }

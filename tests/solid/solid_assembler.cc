@@ -198,7 +198,9 @@ TEST(Equilibrium, ReactionsBalanceTheLoad)
   forces -= body.load;
   for (unsigned int i = 0; i < forces.size(); ++i)
     if (!body.is_prescribed[i])
-      EXPECT_NEAR(forces(i), 0., 1e-2); // of some 10^8 N/m
+      {
+        EXPECT_NEAR(forces(i), 0., 1e-2); // of some 10^8 N/m
+      }
 }
 
 
