@@ -366,9 +366,10 @@ namespace asperity
     for (const auto &[warning, n] : warnings_)
       result.push_back(std::to_string(n) + " runs: " + warning);
     if (n_points_with_gaps_ > 0)
-      result.push_back("At " + std::to_string(n_points_with_gaps_) +
-                       " points some profiles have failed; the mean over all "
-                       "of them is estimated from the others.");
+      result.push_back("Points at which some profiles have failed: " +
+                       std::to_string(n_points_with_gaps_) +
+                       "; the mean over all profiles is estimated from the "
+                       "others.");
     return result;
   }
 } // namespace asperity
