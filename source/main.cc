@@ -5,7 +5,7 @@
 #include <asperity/base/version.h>
 #include <asperity/campaign/commands.h>
 #include <asperity/contact_zone/commands.h>
-#include <asperity/surrogate/commands.h>
+#include <asperity/law_export/commands.h>
 #include <asperity/topography/commands.h>
 
 #include <deal.II/base/exceptions.h>

@@ -1,8 +1,8 @@
 #include <asperity/base/atomic_file.h>
 #include <asperity/base/version.h>
 #include <asperity/campaign/campaign_report.h>
+#include <asperity/law_export/export_law.h>
 #include <asperity/postprocess/summary.h>
-#include <asperity/surrogate/export_law.h>
 #include <asperity/surrogate/power_law.h>
 #include <asperity/surrogate/sensitivity.h>
 

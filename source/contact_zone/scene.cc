@@ -1,8 +1,8 @@
 #include <asperity/base/errors.h>
 #include <asperity/contact/curve_obstacle.h>
 #include <asperity/contact_zone/scene.h>
-#include <asperity/fluid/film_term.h>
-#include <asperity/fluid/sealed_pocket.h>
+#include <asperity/lubricant/film_term.h>
+#include <asperity/lubricant/sealed_pocket.h>
 
 #include <deal.II/base/quadrature_lib.h>
 

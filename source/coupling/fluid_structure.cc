@@ -1,6 +1,6 @@
 #include <asperity/base/errors.h>
 #include <asperity/coupling/fluid_structure.h>
-#include <asperity/fluid/flow_transfer.h>
+#include <asperity/flow/flow_transfer.h>
 
 #include <deal.II/base/bounding_box.h>
 

@@ -2,7 +2,7 @@
 #include <asperity/contact/contact_assembler.h>
 #include <asperity/contact/curve_obstacle.h>
 #include <asperity/contact_zone/scene.h>
-#include <asperity/fluid/sealed_pocket.h>
+#include <asperity/lubricant/sealed_pocket.h>
 #include <asperity/splines/spline_fit.h>
 
 #include <deal.II/base/quadrature_lib.h>

@@ -3,7 +3,7 @@
 
 #include <asperity/constitutive/hyperelasticity.h>
 #include <asperity/coupling/fluid_structure.h>
-#include <asperity/fluid/channel_meshes.h>
+#include <asperity/flow/channel_meshes.h>
 
 #include <cmath>
 #include <memory>

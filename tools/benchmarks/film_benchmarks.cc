@@ -2,7 +2,7 @@
 // Usage: film_benchmarks FOLDER; writes FOLDER/film_*.csv and prints them.
 
 #include <asperity/base/environment.h>
-#include <asperity/fluid/film_walls.h>
+#include <asperity/lubricant/film_walls.h>
 
 #include <cmath>
 #include <fstream>

@@ -1,7 +1,7 @@
 #ifndef asperity_contact_zone_lubricated_step_h
 #define asperity_contact_zone_lubricated_step_h
 
-#include <asperity/contact_zone/gap_flow.h>
+#include <asperity/coupling/gap_flow.h>
 #include <asperity/coupling/partitioned_step.h>
 #include <asperity/solid/equilibrium.h>
 

@@ -2,10 +2,10 @@
 #define asperity_contact_zone_scene_h
 
 #include <asperity/contact/contact_assembler.h>
-#include <asperity/contact_zone/gap_flow.h>
 #include <asperity/contact_zone/scene_parameters.h>
 #include <asperity/contact_zone/surface.h>
-#include <asperity/fluid/lubricant.h>
+#include <asperity/coupling/gap_flow.h>
+#include <asperity/lubricant/lubricant.h>
 #include <asperity/solid/equilibrium.h>
 #include <asperity/solid/solid_assembler.h>
 

@@ -2,7 +2,7 @@
 #define asperity_coupling_ale_fluid_h
 
 #include <asperity/coupling/coupling_sides.h>
-#include <asperity/fluid/navier_stokes.h>
+#include <asperity/flow/navier_stokes.h>
 
 #include <functional>
 #include <vector>

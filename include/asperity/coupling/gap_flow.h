@@ -1,0 +1,185 @@
+#ifndef asperity_coupling_gap_flow_h
+#define asperity_coupling_gap_flow_h
+
+#include <asperity/constitutive/lubricant_parameters.h>
+#include <asperity/coupling/ale_fluid.h>
+#include <asperity/coupling/interface.h>
+#include <asperity/isogeometric/edge_trace.h>
+#include <asperity/lubricant/lubricant.h>
+#include <asperity/mesh_motion/column_mesh.h>
+
+#include <ostream>
+#include <utility>
+#include <vector>
+
+namespace asperity
+{
+  struct GapFlowOptions
+  {
+    /** Its density law does not count: the flow is incompressible. */
+    LubricantParameters oil;
+
+    /** Whether the oil has inertia: Navier-Stokes; if not, Stokes. */
+    bool inertia = true;
+
+    /** Film that stays where the surfaces touch [m]. */
+    double residual_film = 2e-9;
+
+    unsigned int columns_per_span = 1; ///< of the chip's edge
+    unsigned int rows             = 2; ///< between chip and tool
+  };
+
+
+
+  /**
+   * Oil that fills the gap between the top edge of a periodic chip and a rigid
+   * tool at rest above it: incompressible Navier-Stokes or Stokes flow, plane,
+   * per metre of thickness, on a ColumnMesh. The sides of the period are one,
+   * the tool has no slip, the chip's wall is the interface of a coupled step.
+   *
+   * To the chip it is a dead load, the force that the coupled step has found so
+   * far. Since the gap is enclosed, Robin's condition at the chip's wall is
+   * what determines the level of the pressure.
+   */
+  class GapFlow : public Lubricant
+  {
+  public:
+    using Vector = dealii::Vector<double>;
+
+    GapFlow(const SplineSpace    &space,
+            const PatchGeometry  &geometry,
+            const SplineCurve    &tool,
+            const GapFlowOptions &options);
+
+    // The coupled step
+
+    /** Nodes of the chip's wall on the edge of the chip. */
+    const Interface &
+    interface() const;
+
+    /** The flow as one side of a coupled step. The mesh follows the chip that
+     *  set_chip() has told, not the nodes' displacement. */
+    FluidSide &
+    side();
+
+    /** The chip's displacement at the end of the step [m]. */
+    void
+    set_chip(const Vector &u);
+
+    /** Force on the chip at the nodes of the interface [N/m]. */
+    void
+    set_force(const Vector &force);
+
+    // The lubricant
+
+    void
+    begin_step(const Vector      &u,
+               const unsigned int step,
+               const double       time,
+               const double       dt) override;
+
+    void
+    add_couplings(dealii::DynamicSparsityPattern &pattern) const override;
+
+    bool
+    add(const Vector                 &u,
+        Vector                       &residual,
+        dealii::SparseMatrix<double> *tangent) override;
+
+    void
+    accept(const Vector &u) override;
+
+    /** The force of the pressure is the integral of p n, that of the shear the
+     *  rest of the consistent force of the wall. */
+    LubricantState
+    state() const override;
+
+    double
+    pressure(const double parameter) const override;
+
+    std::vector<double>
+    save() const override;
+
+    void
+    load(const std::vector<double> &data) override;
+
+    const NavierStokes &
+    flow() const;
+
+    const ColumnMesh &
+    mesh() const;
+
+    /** Seconds in the solution of the flow, mesh motion included. */
+    double
+    seconds() const;
+
+    /** Velocity [m/s] and pressure [Pa] as VTU. */
+    void
+    write(std::ostream &out, const double time, const unsigned int step) const;
+
+  private:
+    /** Follows the chip before it solves. */
+    class Side : public AleFluid
+    {
+    public:
+      explicit Side(GapFlow &gap);
+
+      void
+      begin_step(const double dt) override;
+
+      ConvergenceReport
+      solve(const WallCondition &condition, WallResponse &response) override;
+
+    private:
+      GapFlow &gap;
+    };
+
+    /** Parameters on the chip of the wall's nodes, in the flow's order. */
+    std::vector<EdgePoint>
+    chip_points();
+
+    /** For each node of a wall in the flow's order, its number from left to
+     *  right. */
+    std::vector<unsigned int>
+    numbers_from_left(const dealii::types::boundary_id         wall,
+                      const std::vector<ColumnMesh::WallNode> &nodes);
+
+    void
+    find_wall_pressures();
+
+    /** ColumnMesh::tool_wall_velocity() as condition of the flow. */
+    void
+    set_tool_velocity();
+
+    /** Of the present chip. */
+    SplineCurve
+    chip_curve() const;
+
+    /** The integral of p n over the chip's wall, and the largest p. */
+    std::pair<dealii::Tensor<1, 2>, double>
+    integrate_pressure() const;
+
+    const PatchGeometry       geometry;
+    const EdgeTrace           edge;
+    double                    length;
+    Vector                    chip; ///< displacement
+    ColumnMesh                mesh_;
+    NavierStokes              flow_;
+    Side                      side_;
+    Interface                 interface_;
+    InterfaceLoad             load_;
+    Vector                    force;
+    std::vector<unsigned int> tool_numbers; ///< see numbers_from_left()
+
+    /** Parameter on the chip and unknown of the pressure, from left to right;
+     *  the last is the image of the first one. */
+    std::vector<std::pair<double, unsigned int>> wall_pressures;
+
+    double         initial_volume = 0.;
+    unsigned int   n_solutions    = 0; ///< in the present step
+    LubricantState state_;
+    double         seconds_ = 0.;
+  };
+} // namespace asperity
+
+#endif

@@ -1,0 +1,133 @@
+#ifndef asperity_flow_fluid_assembler_h
+#define asperity_flow_fluid_assembler_h
+
+#include <asperity/constitutive/lubricant_viscosity.h>
+#include <asperity/flow/moving_mesh.h>
+
+#include <deal.II/base/function.h>
+#include <deal.II/lac/sparse_matrix.h>
+
+#include <functional>
+
+namespace asperity
+{
+  /** A vector field of the current position [m] and time [s]. */
+  using FluidFunction =
+    std::function<dealii::Tensor<1, 2>(const dealii::Point<2> &, const double)>;
+
+  /** What flows. */
+  struct FluidModel
+  {
+    double              density = 800.; ///< rho [kg/m^3]
+    ViscosityParameters viscosity;
+    bool                convection = true; ///< false: Stokes, unsteady too
+    FluidFunction       body_force;        ///< b [m/s^2], none if empty
+  };
+
+  /**
+   * The cells' part of the momentum balance and the continuity equation, in
+   * ALE form on the mesh at the end of the step, per metre of thickness:
+   *
+   *   R_u(w) = int rho (dv/dt|_X + (v - w_mesh).grad v - b).w
+   *              + 2 eta D(v) : D(w) - p div w      [N/m]
+   *   R_p(q) = - int q div v                        [m^2/s]
+   *
+   * D the symmetric gradient, eta of the shear rate sqrt(2 D : D) and p. Equal
+   * order adds, with the residual r of the momentum balance in the cell
+   * (without the gradient of eta, which vanishes for a Newtonian fluid),
+   *
+   *   int tau r.(rho (v - w_mesh).grad w) - int tau r.grad q
+   *     + int tau_C div v div w,
+   *   tau = ((2 rho a_0)^2 + rho^2 c.G c + 36 eta^2 G : G)^(-1/2),
+   *   tau_C = (rho^2 c.G c + 36 eta^2 G : G)^(1/2)/tr G
+   *
+   * (SUPG, PSPG, LSIC; T. E. Tezduyar, S. Sathe, CMAME 192 (2003); Y. Bazilevs
+   * et al., CMAME 197 (2007) 173), where G is the metric of the map to the
+   * reference cell and a_0 the coefficient of the new velocity in its rate.
+   * Since tau rho a_0 <= 1/2, the equation of the pressure keeps its sign for
+   * all time steps, and tau falls with dt as the velocity's own Schur
+   * complement does. tau_C leaves the time step out: else the divergence that
+   * an interpolated velocity has would act as a force of the order of 1/dt.
+   */
+  class FluidAssembler
+  {
+  public:
+    using Vector = dealii::Vector<double>;
+
+    FluidAssembler(const FluidSpace &space,
+                   const MovingMesh &mesh,
+                   const FluidModel &model);
+
+    /** Rates are now u + history, where history = old u_n + older u_{n-1}.
+     *  @param time end of the step [s] */
+    void
+    set_step(const BackwardDifference &rate,
+             const Vector             &history,
+             const double              time);
+
+    /**
+     * Adds the cells' residual, condensed by the space's topology, and,
+     * unless tangent is null, its derivative, condensed by `constraints`.
+     * @param scale the absolute values of the terms are added to it: the size
+     *   that a residual is to be compared with
+     */
+    void
+    add(const Vector                            &u,
+        const dealii::AffineConstraints<double> &constraints,
+        Vector                                  &R,
+        Vector                                  &scale,
+        dealii::SparseMatrix<double>            *tangent) const;
+
+    /**
+     * Adds what SchurEstimate wants to know: the pressure's mass matrix over
+     * the viscosity at u, condensed, and the diagonal of rho a_0 times the
+     * velocity's mass matrix.
+     * @param pressure_topology with pressure unknowns numbered from 0
+     */
+    void
+    add_schur_estimate(
+      const Vector                            &u,
+      const dealii::AffineConstraints<double> &pressure_topology,
+      dealii::SparseMatrix<double>            &mass,
+      Vector                                  &inertia) const;
+
+    const FluidModel &
+    model() const;
+
+  private:
+    struct Point;
+    struct Cell;
+    struct Stabilisation; // what the stabilising terms need at a point
+
+    void
+    integrate(Cell &cell, const bool with_tangent) const;
+
+    /** Absolute values of the terms. */
+    void
+    add_size(Cell &cell, const Point &point) const;
+
+    void
+    galerkin(Cell &cell, const Point &point, const bool with_tangent) const;
+
+    Stabilisation
+    stabilisation(const Cell &cell, const Point &point) const;
+
+    void
+    stabilise(Cell &cell, const Point &point, const bool with_tangent) const;
+
+    void
+    add_stabilised_tangent(Cell                &cell,
+                           const Point         &point,
+                           const Stabilisation &stabilisation) const;
+
+    const FluidSpace  &space;
+    const MovingMesh  &mesh;
+    FluidModel         model_;
+    LubricantViscosity viscosity;
+    BackwardDifference rate;
+    Vector             history;
+    double             time = 0.;
+  };
+} // namespace asperity
+
+#endif

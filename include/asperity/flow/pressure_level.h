@@ -1,0 +1,64 @@
+#ifndef asperity_flow_pressure_level_h
+#define asperity_flow_pressure_level_h
+
+#include <asperity/flow/fluid_boundary.h>
+
+#include <string>
+
+namespace asperity
+{
+  /**
+   * The pressure of a part of the flow on whose whole boundary the velocity is
+   * prescribed: its level is not determined, and no flow exists unless the
+   * prescribed velocities conserve the volume.
+   */
+  class PressureLevel
+  {
+  public:
+    using Vector = dealii::Vector<double>;
+
+    PressureLevel(const FluidSpace    &space,
+                  const MovingMesh    &mesh,
+                  const FluidBoundary &boundary);
+
+    /** Looks which parts are enclosed under the present conditions. */
+    void
+    update();
+
+    bool
+    is_undetermined() const;
+
+    /** One pressure unknown a part, to be held while solving. */
+    std::vector<unsigned int>
+    held_dofs() const;
+
+    /**
+     * Makes the continuity equation of enclosed parts solvable: a net flux of
+     * round-off or interpolation through their boundary is spread over the
+     * part.
+     * @param u has the prescribed velocities
+     * @param source of the continuity equation (m^2/s a pressure function), is
+     *   added to
+     * @param tolerance net flux over the integral of |v| on the boundary
+     * @return empty, or what is wrong: a larger net flux
+     */
+    std::string
+    balance(const Vector &u, Vector &source, const double tolerance) const;
+
+    /** Shifts the pressure of enclosed parts to this mean [Pa]. */
+    void
+    fix_mean(Vector &u, const double mean) const;
+
+  private:
+    /** Integrals of the pressure functions. */
+    Vector
+    weights() const;
+
+    const FluidSpace    &space;
+    const MovingMesh    &mesh;
+    const FluidBoundary &boundary;
+    std::vector<bool>    is_enclosed; ///< by part
+  };
+} // namespace asperity
+
+#endif

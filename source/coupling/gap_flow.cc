@@ -1,0 +1,297 @@
+#include <asperity/base/errors.h>
+#include <asperity/coupling/gap_flow.h>
+#include <asperity/mesh_motion/column_layout.h>
+
+#include <deal.II/base/timer.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity
+{
+  using dealii::Tensor;
+  using Vector = dealii::Vector<double>;
+
+  namespace
+  {
+    const BoundaryIds chip_wall = {ColumnMesh::chip_wall};
+    const BoundaryIds tool_wall = {ColumnMesh::tool_wall};
+
+    /** Residual of the flow over the size of its terms: far below what the
+     *  coupling can see, and above round-off in narrow cells. */
+    constexpr double flow_tolerance = 1e-8;
+
+    /** Between the iterations of a coupled step the flow hardly changes. */
+    constexpr double kept_tangent_contraction = 0.3;
+
+
+
+    ColumnLayout
+    make_layout(const SplineCurve &chip, const GapFlowOptions &options)
+    {
+      // The columns go with the chip, and narrow places pass over all of them.
+      ColumnLayout layout;
+      layout.columns       = columns_on_spans(chip.knot_vector(),
+                                        options.columns_per_span *
+                                          chip.knot_vector().n_spans());
+      layout.rows          = graded_rows(options.rows);
+      layout.residual_film = options.residual_film;
+      return layout;
+    }
+
+
+
+    FluidOptions
+    make_fluid(const GapFlowOptions &options)
+    {
+      FluidOptions fluid;
+      fluid.model.density    = options.inertia ? options.oil.density : 0.;
+      fluid.model.viscosity  = options.oil.viscosity;
+      fluid.model.convection = options.inertia;
+      fluid.tolerance        = flow_tolerance;
+      fluid.kept_tangent_contraction = kept_tangent_contraction;
+      return fluid;
+    }
+  } // namespace
+
+
+
+  GapFlow::Side::Side(GapFlow &gap)
+    : AleFluid(gap.flow_,
+               chip_wall,
+               [&gap](const Vector &) { return gap.mesh_.displacement(); })
+    , gap(gap)
+  {}
+
+
+
+  void
+  GapFlow::Side::begin_step(const double dt)
+  {
+    // A tangent of an earlier step would make the run depend on where it was
+    // interrupted.
+    gap.flow_.forget_tangent();
+    AleFluid::begin_step(dt);
+  }
+
+
+
+  ConvergenceReport
+  GapFlow::Side::solve(const WallCondition &condition, WallResponse &response)
+  {
+    dealii::Timer timer;
+    ++gap.n_solutions;
+    ConvergenceReport report = gap.mesh_.update(gap.chip_curve(), {});
+    if (report.converged)
+      {
+        gap.set_tool_velocity();
+        report = AleFluid::solve(condition, response);
+      }
+    gap.seconds_ += timer.wall_time();
+    return report;
+  }
+
+
+
+  GapFlow::GapFlow(const SplineSpace    &space,
+                   const PatchGeometry  &geometry,
+                   const SplineCurve    &tool,
+                   const GapFlowOptions &options)
+    : geometry(geometry)
+    , edge(*space.hierarchy(), Edge::top)
+    , length(tool.period()[0])
+    , chip(2 * space.n_functions())
+    , mesh_(chip_curve(), tool, make_layout(chip_curve(), options))
+    , flow_(mesh_.triangulation(),
+            make_fluid(options),
+            {{ColumnMesh::left_side, ColumnMesh::right_side, 0}})
+    , side_(*this)
+    , interface_(space, geometry, chip_points())
+    , load_(interface_)
+    , force(2 * interface_.n_points())
+    , tool_numbers(numbers_from_left(ColumnMesh::tool_wall, mesh_.tool_nodes()))
+  {
+    load_.set_force(force);
+    find_wall_pressures();
+    const ConvergenceReport report = mesh_.update(chip_curve(), {});
+    if (!report.converged)
+      throw InputError("The oil between tool and chip cannot be meshed: " +
+                       report.reason + ".");
+    flow_.set_initial_displacement(mesh_.displacement());
+    flow_.set_material_walls(chip_wall);
+    initial_volume          = flow_.volume();
+    state_.void_volume      = initial_volume;
+    state_.oil_volume       = initial_volume;
+    state_.reference_volume = initial_volume;
+    state_.smallest_film    = mesh_.film().smallest_gap;
+    state_.n_pockets        = 1;
+    set_tool_velocity();
+  }
+
+
+
+  std::vector<unsigned int>
+  GapFlow::numbers_from_left(const dealii::types::boundary_id         wall,
+                             const std::vector<ColumnMesh::WallNode> &nodes)
+  {
+    Vector number(mesh_.dofs().n_dofs());
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      number(nodes[i].dof_x) = i;
+    std::vector<unsigned int> result;
+    for (const Tensor<1, 2> &value :
+         flow_.boundary().nodes({wall}).extract_geometry(number))
+      result.push_back(std::lround(value[0]));
+    return result;
+  }
+
+
+
+  std::vector<EdgePoint>
+  GapFlow::chip_points()
+  {
+    const double           end = edge.knots().back();
+    std::vector<EdgePoint> points;
+    for (const unsigned int i :
+         numbers_from_left(ColumnMesh::chip_wall, mesh_.chip_nodes()))
+      {
+        // The end of the period is its start.
+        const double parameter = mesh_.chip_nodes()[i].parameter;
+        points.push_back(
+          {Edge::top, parameter < end ? parameter : edge.knots().front()});
+      }
+    return points;
+  }
+
+
+
+  void
+  GapFlow::find_wall_pressures()
+  {
+    std::vector<double> parameter(mesh_.dofs().n_dofs(), -1.);
+    for (const ColumnMesh::WallNode &node : mesh_.chip_nodes())
+      parameter[node.dof_x] = node.parameter;
+    const auto &fe          = flow_.space().dofs().get_fe();
+    const auto &geometry_fe = flow_.space().geometry_dofs().get_fe();
+    std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell()),
+      geometry_dofs(geometry_fe.n_dofs_per_cell());
+    for (const auto &cell : flow_.space().dofs().active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+        {
+          if (!cell->at_boundary(f) ||
+              chip_wall.count(cell->face(f)->boundary_id()) == 0)
+            continue;
+          cell->get_dof_indices(dofs);
+          flow_.space().geometry_cell(cell)->get_dof_indices(geometry_dofs);
+          for (unsigned int k = 0; k < 2; ++k)
+            {
+              // Both spaces number the vertices of a cell first.
+              const unsigned int v =
+                dealii::GeometryInfo<2>::face_to_cell_vertices(f, k);
+              wall_pressures.emplace_back(
+                parameter
+                  [geometry_dofs[geometry_fe.component_to_system_index(0, v)]],
+                dofs[fe.component_to_system_index(2, v)]);
+            }
+        }
+    std::sort(wall_pressures.begin(), wall_pressures.end());
+    wall_pressures.erase(std::unique(wall_pressures.begin(),
+                                     wall_pressures.end()),
+                         wall_pressures.end());
+  }
+
+
+
+  SplineCurve
+  GapFlow::chip_curve() const
+  {
+    std::vector<Tensor<1, 2>> offset = geometry.offset;
+    offset.resize(chip.size() / 2);
+    for (unsigned int a = 0; a < offset.size(); ++a)
+      for (unsigned int c = 0; c < 2; ++c)
+        offset[a][c] += chip(2 * a + c);
+    return edge.curve(offset);
+  }
+
+
+
+  void
+  GapFlow::set_tool_velocity()
+  {
+    flow_.set_mesh_displacement(mesh_.displacement());
+    const NodalVectors w = flow_.wall_mesh_velocity(tool_wall);
+    Vector             w_field(mesh_.dofs().n_dofs());
+    for (unsigned int n = 0; n < w.size(); ++n)
+      {
+        const ColumnMesh::WallNode &node = mesh_.tool_nodes()[tool_numbers[n]];
+        w_field(node.dof_x)              = w[n][0];
+        w_field(node.dof_y)              = w[n][1];
+      }
+    const auto   from_left = mesh_.tool_wall_velocity({}, w_field);
+    NodalVectors velocity(w.size());
+    for (unsigned int n = 0; n < w.size(); ++n)
+      velocity[n] = from_left[tool_numbers[n]];
+    flow_.boundary().set_wall_velocity(tool_wall, velocity);
+  }
+
+
+
+  const Interface &
+  GapFlow::interface() const
+  {
+    return interface_;
+  }
+
+
+
+  FluidSide &
+  GapFlow::side()
+  {
+    return side_;
+  }
+
+
+
+  void
+  GapFlow::set_chip(const Vector &u)
+  {
+    chip = u;
+  }
+
+
+
+  void
+  GapFlow::set_force(const Vector &new_force)
+  {
+    force = new_force;
+    load_.set_force(force);
+  }
+
+
+
+  void
+  GapFlow::begin_step(const Vector &,
+                      const unsigned int,
+                      const double,
+                      const double)
+  {
+    n_solutions = 0;
+  }
+
+
+
+  void
+  GapFlow::add_couplings(dealii::DynamicSparsityPattern &pattern) const
+  {
+    load_.add_couplings(pattern);
+  }
+
+
+
+  bool
+  GapFlow::add(const Vector                 &u,
+               Vector                       &residual,
+               dealii::SparseMatrix<double> *tangent)
+  {
+    return load_.add(u, residual, tangent);
+  }
+} // namespace asperity

@@ -1,0 +1,192 @@
+#include <asperity/base/errors.h>
+#include <asperity/coupling/gap_flow.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/numerics/data_out.h>
+
+#include <algorithm>
+
+// What the oil does to the chip, and its state.
+namespace asperity
+{
+  using dealii::Tensor;
+  using Vector = dealii::Vector<double>;
+
+  void
+  GapFlow::accept(const Vector &)
+  {
+    const auto [pressure_force, max_pressure] = integrate_pressure();
+    state_.pressure_force                     = pressure_force;
+    state_.shear_force =
+      flow_.total_wall_force({ColumnMesh::chip_wall}) - pressure_force;
+    state_.mean_pressure       = -pressure_force[1] / length;
+    state_.max_pressure        = max_pressure;
+    state_.void_volume         = flow_.volume();
+    state_.oil_volume          = state_.void_volume;
+    state_.smallest_film       = mesh_.film().smallest_gap;
+    state_.coupling_iterations = n_solutions;
+  }
+
+
+
+  std::pair<Tensor<1, 2>, double>
+  GapFlow::integrate_pressure() const
+  {
+    const auto                              &fe = flow_.space().dofs().get_fe();
+    const dealii::FEValuesExtractors::Scalar pressure_field(2);
+    const dealii::QGauss<1>                  quadrature(fe.degree + 1);
+    dealii::FEFaceValues<2>                  face(flow_.mapping(),
+                                 fe,
+                                 quadrature,
+                                 dealii::update_values |
+                                   dealii::update_JxW_values |
+                                   dealii::update_normal_vectors);
+    std::vector<double>                      p(quadrature.size());
+    Tensor<1, 2>                             force;
+    double                                   largest = 0.;
+    for (const auto &cell : flow_.space().dofs().active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+        if (cell->at_boundary(f) &&
+            cell->face(f)->boundary_id() == ColumnMesh::chip_wall)
+          {
+            face.reinit(cell, f);
+            face[pressure_field].get_function_values(flow_.solution(), p);
+            for (unsigned int q = 0; q < p.size(); ++q)
+              {
+                // n points out of the fluid, into the chip.
+                force += p[q] * face.JxW(q) * face.normal_vector(q);
+                largest = std::max(largest, p[q]);
+              }
+          }
+    return {force, largest};
+  }
+
+
+
+  LubricantState
+  GapFlow::state() const
+  {
+    return state_;
+  }
+
+
+
+  double
+  GapFlow::pressure(const double parameter) const
+  {
+    const auto   above = std::find_if(wall_pressures.begin() + 1,
+                                    wall_pressures.end() - 1,
+                                    [parameter](const auto &node) {
+                                      return node.first > parameter;
+                                    });
+    const auto   below = above - 1;
+    const double weight =
+      (parameter - below->first) / (above->first - below->first);
+    const Vector &u = flow_.solution();
+    return (1. - weight) * u(below->second) + weight * u(above->second);
+  }
+
+
+
+  namespace
+  {
+    /** The parts of a state that are vectors, in a fixed order. */
+    template <typename State>
+    auto
+    vectors(State &state)
+    {
+      return std::vector<decltype(&state.u)>{&state.u,
+                                             &state.u_old,
+                                             &state.displacement,
+                                             &state.displacement_old,
+                                             &state.divergence};
+    }
+  } // namespace
+
+
+
+  std::vector<double>
+  GapFlow::save() const
+  {
+    const FluidState    flow = flow_.state();
+    std::vector<double> data = {flow.time,
+                                flow.dt,
+                                static_cast<double>(flow.n_steps)};
+    for (const Vector *v : vectors(flow))
+      data.insert(data.end(), v->begin(), v->end());
+    data.insert(data.end(), force.begin(), force.end());
+    data.insert(data.end(), chip.begin(), chip.end());
+    return data;
+  }
+
+
+
+  void
+  GapFlow::load(const std::vector<double> &data)
+  {
+    FluidState  flow = flow_.state();
+    std::size_t size = 3 + force.size() + chip.size();
+    for (const Vector *v : vectors(flow))
+      size += v->size();
+    if (data.size() != size)
+      throw InputError("The oil of the checkpoint has " +
+                       std::to_string(data.size()) + " numbers; expected " +
+                       std::to_string(size) + ".");
+    flow.time        = data[0];
+    flow.dt          = data[1];
+    flow.n_steps     = static_cast<unsigned int>(data[2]);
+    auto       value = data.begin() + 3;
+    const auto read  = [&value](Vector &v) {
+      std::copy_n(value, v.size(), v.begin());
+      value += v.size();
+    };
+    for (Vector *v : vectors(flow))
+      read(*v);
+    read(force);
+    read(chip);
+    flow_.set_state(flow);
+    load_.set_force(force);
+    mesh_.update(chip_curve(), {});
+  }
+
+
+
+  const NavierStokes &
+  GapFlow::flow() const
+  {
+    return flow_;
+  }
+
+
+
+  const ColumnMesh &
+  GapFlow::mesh() const
+  {
+    return mesh_;
+  }
+
+
+
+  double
+  GapFlow::seconds() const
+  {
+    return seconds_;
+  }
+
+
+
+  void
+  GapFlow::write(std::ostream      &out,
+                 const double       time,
+                 const unsigned int step) const
+  {
+    dealii::DataOut<2> output;
+    flow_.attach_to(output);
+    output.build_patches(flow_.mapping(),
+                         2,
+                         dealii::DataOut<2>::curved_inner_cells);
+    output.set_flags(dealii::DataOutBase::VtkFlags(time, step));
+    output.write_vtu(out);
+  }
+} // namespace asperity

@@ -1,0 +1,145 @@
+#include <asperity/flow/fluid_cell.h>
+
+#include <cmath>
+
+namespace asperity
+{
+  using dealii::Tensor;
+
+  namespace
+  {
+    constexpr unsigned int dim = 2;
+  } // namespace
+
+
+
+  struct FluidAssembler::Stabilisation
+  {
+    Tensor<1, 2> Gc;     // G c
+    double       G_G;    // G : G
+    double       steady; // rho^2 c.G c + 36 eta^2 G : G
+    double       tau;
+    double       tau_C;
+    Tensor<1, 2> viscous; // -(lap v + grad div v)
+    Tensor<1, 2> r;       // rho acceleration + grad p + eta viscous
+  };
+
+
+
+  FluidAssembler::Stabilisation
+  FluidAssembler::stabilisation(const Cell &cell, const Point &x) const
+  {
+    const double rho = model_.density;
+    const double eta = x.eta.value;
+
+    Tensor<2, 2> inverse_jacobian; // d xi / d x
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int j = 0; j < dim; ++j)
+        inverse_jacobian[i][j] = cell.flow.inverse_jacobian(x.q)[i][j];
+    // The reference cell has length 1 here, 2 in the papers.
+    const Tensor<2, 2> G = 4. * transpose(inverse_jacobian) * inverse_jacobian;
+
+    Stabilisation s;
+    s.Gc     = G * x.c;
+    s.G_G    = scalar_product(G, G);
+    s.steady = rho * rho * (x.c * s.Gc) + 36. * eta * eta * s.G_G;
+    s.tau    = 1. / std::sqrt(4. * rho * rho * rate.now * rate.now + s.steady);
+    s.tau_C  = std::sqrt(s.steady) / trace(G);
+
+    const auto &v_second = cell.second_derivatives[x.q];
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int j = 0; j < dim; ++j)
+        s.viscous[i] -= v_second[i][j][j] + v_second[j][j][i];
+    s.r = rho * x.acceleration + cell.grad_p[x.q] + eta * s.viscous;
+    return s;
+  }
+
+
+
+  void
+  FluidAssembler::stabilise(Cell        &cell,
+                            const Point &x,
+                            const bool   with_tangent) const
+  {
+    const Stabilisation s   = stabilisation(cell, x);
+    const double        rho = model_.density;
+    const auto         &g   = cell.g;
+    const auto         &I   = cell.index;
+    for (unsigned int a = 0; a < cell.n_velocity; ++a)
+      for (unsigned int i = 0; i < dim; ++i)
+        cell.R(I[i][a]) +=
+          (s.tau * rho * (x.c * g[a]) * s.r[i] + s.tau_C * x.div_v * g[a][i]) *
+          x.JxW;
+    for (unsigned int k = 0; k < cell.n_pressure; ++k)
+      {
+        cell.R(I[dim][k]) -= s.tau * (cell.m[k] * s.r) * x.JxW;
+        cell.size(I[dim][k]) +=
+          s.tau * cell.m[k].norm() * cell.grad_p[x.q].norm() * x.JxW;
+      }
+    if (with_tangent)
+      add_stabilised_tangent(cell, x, s);
+  }
+
+
+
+  void
+  FluidAssembler::add_stabilised_tangent(Cell                &cell,
+                                         const Point         &x,
+                                         const Stabilisation &s) const
+  {
+    const double rho       = model_.density;
+    const double eta       = x.eta.value;
+    const auto  &N         = cell.N;
+    const auto  &g         = cell.g;
+    const auto  &H         = cell.H;
+    const auto  &I         = cell.index;
+    const double tau_3     = s.tau * s.tau * s.tau;
+    const double d_tau_eta = -36. * tau_3 * eta * s.G_G;
+    const double moves     = model_.convection ? 1. : 0.;
+
+    // One column: derivatives of r, tau, div v and of c by an unknown.
+    const auto add_column = [&](const unsigned int  column,
+                                const Tensor<1, 2> &dr,
+                                const double        d_tau,
+                                const double        d_div,
+                                const Tensor<1, 2> &dc) {
+      const Tensor<1, 2> d_tau_r = s.tau * dr + d_tau * s.r;
+      const double       d_tau_C_div =
+        s.tau_C * (d_div - d_tau / (tau_3 * s.steady) * x.div_v);
+      for (unsigned int a = 0; a < cell.n_velocity; ++a)
+        for (unsigned int i = 0; i < dim; ++i)
+          cell.K(I[i][a], column) +=
+            (rho * (x.c * g[a]) * d_tau_r[i] +
+             rho * (dc * g[a]) * s.tau * s.r[i] + d_tau_C_div * g[a][i]) *
+            x.JxW;
+      for (unsigned int k = 0; k < cell.n_pressure; ++k)
+        cell.K(I[dim][k], column) -= (cell.m[k] * d_tau_r) * x.JxW;
+    };
+    for (unsigned int b = 0; b < cell.n_velocity; ++b)
+      {
+        const Tensor<1, 2> d_rate =
+          x.rate > 0. ? 2. * (x.D * g[b]) / x.rate : Tensor<1, 2>();
+        for (unsigned int j = 0; j < dim; ++j)
+          {
+            const double d_eta = x.eta.d_rate * d_rate[j];
+            Tensor<1, 2> dc, dr = d_eta * s.viscous;
+            dc[j] = moves * N[b];
+            for (unsigned int i = 0; i < dim; ++i)
+              dr[i] += rho * x.grad_v[i][j] * dc[j] - eta * H[b][i][j];
+            dr[j] += rho * (rate.now * N[b] + x.c * g[b]) - eta * trace(H[b]);
+            const double d_tau =
+              -tau_3 * rho * rho * (s.Gc * dc) + d_tau_eta * d_eta;
+            add_column(I[j][b], dr, d_tau, g[b][j], dc);
+          }
+      }
+    for (unsigned int k = 0; k < cell.n_pressure; ++k)
+      {
+        const double d_eta = x.eta.d_pressure * cell.M[k];
+        add_column(I[dim][k],
+                   cell.m[k] + d_eta * s.viscous,
+                   d_tau_eta * d_eta,
+                   0.,
+                   Tensor<1, 2>());
+      }
+  }
+} // namespace asperity

@@ -1,0 +1,175 @@
+#include <asperity/base/text.h>
+#include <asperity/flow/pressure_level.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace asperity
+{
+  namespace
+  {
+    const dealii::FEValuesExtractors::Vector velocity_field(0);
+  }
+
+
+
+  PressureLevel::PressureLevel(const FluidSpace    &space,
+                               const MovingMesh    &mesh,
+                               const FluidBoundary &boundary)
+    : space(space)
+    , mesh(mesh)
+    , boundary(boundary)
+    , is_enclosed(space.parts().size(), true)
+  {}
+
+
+
+  void
+  PressureLevel::update()
+  {
+    std::fill(is_enclosed.begin(), is_enclosed.end(), true);
+    for (const auto &cell : space.dofs().active_cell_iterators())
+      for (const auto &face : cell->face_iterators())
+        if (face->at_boundary() &&
+            space.periodic_ids().count(face->boundary_id()) == 0 &&
+            !boundary.prescribes_velocity(face->boundary_id()))
+          is_enclosed[space.part_of_cell(cell->active_cell_index())] = false;
+  }
+
+
+
+  bool
+  PressureLevel::is_undetermined() const
+  {
+    return std::find(is_enclosed.begin(), is_enclosed.end(), true) !=
+           is_enclosed.end();
+  }
+
+
+
+  std::vector<unsigned int>
+  PressureLevel::held_dofs() const
+  {
+    std::vector<unsigned int> held;
+    for (unsigned int part = 0; part < is_enclosed.size(); ++part)
+      if (is_enclosed[part])
+        held.push_back(*std::find_if(space.parts()[part].begin(),
+                                     space.parts()[part].end(),
+                                     [this](const unsigned int i) {
+                                       return !space.topology().is_constrained(
+                                         i);
+                                     }));
+    return held;
+  }
+
+
+
+  std::string
+  PressureLevel::balance(const Vector &u,
+                         Vector       &source,
+                         const double  tolerance) const
+  {
+    std::vector<double>     net(is_enclosed.size()), gross(is_enclosed.size());
+    const dealii::QGauss<1> quadrature(2 * space.degree() + 1);
+    dealii::FEFaceValues<2> face(mesh.mapping(),
+                                 space.dofs().get_fe(),
+                                 quadrature,
+                                 dealii::update_values |
+                                   dealii::update_normal_vectors |
+                                   dealii::update_JxW_values);
+    std::vector<dealii::Tensor<1, 2>> v(quadrature.size());
+    for (const auto &cell : space.dofs().active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+        {
+          const unsigned int part =
+            space.part_of_cell(cell->active_cell_index());
+          if (!cell->at_boundary(f) || !is_enclosed[part])
+            continue;
+          face.reinit(cell, f);
+          face[velocity_field].get_function_values(u, v);
+          for (const unsigned int q : face.quadrature_point_indices())
+            {
+              net[part] += v[q] * face.normal_vector(q) * face.JxW(q);
+              gross[part] += v[q].norm() * face.JxW(q);
+            }
+        }
+    const Vector weight = weights();
+    for (unsigned int part = 0; part < is_enclosed.size(); ++part)
+      if (is_enclosed[part])
+        {
+          double excess = net[part], area = 0.;
+          for (const unsigned int i : space.parts()[part])
+            {
+              excess -= source(i);
+              area += weight(i);
+            }
+          if (!(std::abs(excess) <= tolerance * gross[part]))
+            {
+              std::ostringstream text;
+              text << "the prescribed velocities of an enclosed part of the "
+                      "fluid would change its volume by "
+                   << -excess
+                   << " m^2/s, which an incompressible fluid cannot do";
+              return text.str();
+            }
+          for (const unsigned int i : space.parts()[part])
+            source(i) += excess * weight(i) / area;
+        }
+    return "";
+  }
+
+
+
+  void
+  PressureLevel::fix_mean(Vector &u, const double mean) const
+  {
+    if (!is_undetermined())
+      return;
+    const Vector weight = weights();
+    for (unsigned int part = 0; part < is_enclosed.size(); ++part)
+      if (is_enclosed[part])
+        {
+          double integral = 0., area = 0.;
+          for (const unsigned int i : space.parts()[part])
+            {
+              integral += weight(i) * u(i);
+              area += weight(i);
+            }
+          for (const unsigned int i : space.parts()[part])
+            u(i) += mean - integral / area;
+        }
+  }
+
+
+
+  PressureLevel::Vector
+  PressureLevel::weights() const
+  {
+    const auto                                  &fe = space.dofs().get_fe();
+    const dealii::QGauss<2>                      quadrature(fe.degree + 1);
+    dealii::FEValues<2>                          values(mesh.mapping(),
+                               fe,
+                               quadrature,
+                               dealii::update_values |
+                                 dealii::update_JxW_values);
+    Vector                                       weight(space.dofs().n_dofs());
+    dealii::Vector<double>                       local(fe.n_dofs_per_cell());
+    std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    for (const auto &cell : space.dofs().active_cell_iterators())
+      {
+        values.reinit(cell);
+        local = 0.;
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          if (fe.system_to_component_index(i).first == 2)
+            for (const unsigned int q : values.quadrature_point_indices())
+              local(i) += values.shape_value(i, q) * values.JxW(q);
+        cell->get_dof_indices(dofs);
+        space.topology().distribute_local_to_global(local, dofs, weight);
+      }
+    return weight;
+  }
+} // namespace asperity

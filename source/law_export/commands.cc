@@ -1,0 +1,261 @@
+#include <asperity/base/errors.h>
+#include <asperity/base/quantity.h>
+#include <asperity/base/text.h>
+#include <asperity/law_export/commands.h>
+#include <asperity/law_export/export_law.h>
+#include <asperity/surrogate/power_law.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+#include <iostream>
+#include <limits>
+
+#include "export_text.h"
+#include "law_options.h"
+
+namespace asperity
+{
+  namespace
+  {
+    bool
+    is_first_rank()
+    {
+      return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+    }
+
+    std::string
+    in_unit(const double value, const LawInput &input)
+    {
+      return format_quantity(value, input.unit, 6);
+    }
+
+    /** The point of -p, -v, -T and --set, in the law's order. */
+    std::vector<double>
+    point_of(const FrictionLawDescription &law, const LawOptions &options)
+    {
+      std::map<std::string, double> given =
+        parse_settings(law, options.settings);
+      for (const auto &[option, text] : options.values)
+        {
+          const LawInput &input = find_input(law, option.substr(1));
+          if (!given.emplace(input.name, parse_input(input, text, option))
+                 .second)
+            throw InputError("The input '" + input.name + "' is given by '" +
+                             option + "' and by '--set'.");
+        }
+      std::vector<double>      point;
+      std::vector<std::string> missing;
+      for (const LawInput &input : law.inputs)
+        {
+          if (const auto entry = given.find(input.name); entry != given.end())
+            {
+              point.push_back(entry->second);
+              continue;
+            }
+          const auto &symbols = ContactPointLaw::symbols();
+          const bool  has_option =
+            std::find(symbols.begin(), symbols.end(), input.symbol) !=
+            symbols.end();
+          const std::string example = in_unit(input.lower, input);
+          missing.push_back(has_option ?
+                              "-" + input.symbol + " \"" + example + "\"" :
+                              "--set \"" + input.name + " = " + example + "\"");
+        }
+      if (!missing.empty())
+        throw InputError("The law of '" + law.output + "' also needs " +
+                         join(missing, ", ") + ", for example.");
+      return point;
+    }
+
+    /** Why a prediction is not to be trusted, or that it is. */
+    std::string
+    trust_line(const FrictionLawDescription &law,
+               const std::vector<double>    &point,
+               const LawPrediction          &at)
+    {
+      std::vector<std::string> reasons;
+      for (std::size_t i = 0; i < point.size(); ++i)
+        {
+          const LawInput &input = law.inputs[i];
+          const double    margin =
+            FrictionLaw::edge_tolerance * (input.upper - input.lower);
+          if (!(point[i] >= input.lower - margin &&
+                point[i] <= input.upper + margin))
+            reasons.push_back(input.symbol + " = " + in_unit(point[i], input) +
+                              " is outside of the data, " +
+                              in_unit(input.lower, input) + " to " +
+                              in_unit(input.upper, input));
+        }
+      const double relative = at.deviation / std::abs(at.mean);
+      if (!(relative <= law.largest_trusted_deviation))
+        reasons.push_back("the deviation is " + percent(relative) +
+                          " of the mean, more than " +
+                          percent(law.largest_trusted_deviation));
+      if (!reasons.empty())
+        return "not trusted: " + join(reasons, "; ");
+      return "trusted: inside of the data, deviation " + percent(relative) +
+             " of the mean";
+    }
+
+    /** What is known of the mean over the whole surface. */
+    std::string
+    surface_line(const FrictionLawDescription &law, const LawPrediction &at)
+    {
+      if (law.n_profiles < 2)
+        return "whole surface: scatter unknown, since all runs are on one "
+               "profile";
+      return "whole surface: 95 % interval " +
+             format_quantity(at.surface_lower, "1", 5) + " to " +
+             format_quantity(at.surface_upper, "1", 5) + ", from " +
+             std::to_string(law.n_profiles) + " profiles that differ by " +
+             percent(law.topography_scatter);
+    }
+
+    void
+    print_derivatives(const FrictionLawDescription &law,
+                      const LawPrediction          &at)
+    {
+      for (std::size_t i = 0; i < law.inputs.size(); ++i)
+        {
+          const LawInput &input = law.inputs[i];
+          const double    unit  = to_si(1., input.unit) - to_si(0., input.unit);
+          std::cout << "d " << law.output << "/d " << input.symbol << " = "
+                    << format_quantity(at.gradient[i] * unit, "1", 4)
+                    << (input.unit == "1" ? "" : " per " + input.unit) << "\n";
+        }
+    }
+
+    /** k and tau, if the law is one of mu over a pressure and a temperature. */
+    void
+    print_shear(const FrictionLawDescription &law,
+                const std::vector<double>    &point,
+                const LawPrediction          &at)
+    {
+      const double *p = nullptr, *T = nullptr;
+      for (std::size_t i = 0; i < point.size(); ++i)
+        if (law.inputs[i].symbol == "p")
+          p = &point[i];
+        else if (law.inputs[i].symbol == "T")
+          T = &point[i];
+      if (law.output != "mu" || p == nullptr)
+        return;
+      const bool   known = law.shear_limit.k_0 > 0. && T != nullptr;
+      const double k =
+        known ? law.shear_limit(*T) : std::numeric_limits<double>::infinity();
+      const double coulomb = at.mean * *p;
+      if (known)
+        std::cout << "shear limit k = " << format_quantity(k, "MPa", 4)
+                  << "; tau = min(mu p, k) = "
+                  << format_quantity(std::min(coulomb, k), "MPa", 4)
+                  << (coulomb > k ? ", sticking" : ", sliding") << "\n";
+      else
+        std::cout << "tau = mu p = " << format_quantity(coulomb, "MPa", 4)
+                  << "; the shear limit is unknown\n";
+    }
+
+    SolverUnits
+    units_of(const std::string &name)
+    {
+      if (name == "mm")
+        return FrictionGridOptions().units;
+      if (name == "SI")
+        return {{"Pa", "m/s", "K"}};
+      throw InputError("The option '--units' is '" + name +
+                       "'; 'mm' (mm, s, MPa, degC) or 'SI' is expected.");
+    }
+
+    void
+    print_report(const ExportReport &report, const std::string &directory)
+    {
+      for (const ExportedFile &file : report.files)
+        {
+          std::string line = "  " + file.name;
+          line.resize(std::max<std::size_t>(28, line.size() + 2), ' ');
+          std::cout << line << file.sentence;
+          if (file.interpolation_error > 0.)
+            std::cout << ", within " << percent(file.interpolation_error);
+          std::cout << "\n";
+        }
+      for (const std::string &warning : report.warnings)
+        std::cout << "Warning: " << warning << "\n";
+      std::cout << "Written to " << directory << "; see README.txt there.\n";
+    }
+
+    /** The laws of practice on the same runs, where they can be fitted. */
+    void
+    print_comparison(const FrictionLaw &law)
+    {
+      std::cout << "Leave-one-out error of the law: "
+                << percent(law.description().leave_one_out_error) << "\n";
+      const auto print = [&](const char *const name,
+                             PowerLaw (*fit)(const FrictionLaw &)) {
+        try
+          {
+            const PowerLaw power_law = fit(law);
+            std::cout << "  " << name << ": "
+                      << percent(power_law.leave_one_out_error) << ", "
+                      << to_string(power_law, law.description().inputs) << "\n";
+          }
+        catch (const InputError &)
+          {} // the runs do not allow it, which is no error of the export
+      };
+      print("a power law", fit_power_law);
+      print("a power law over v", fit_velocity_law);
+    }
+  } // namespace
+
+
+
+  int
+  predict_friction(const std::vector<std::string> &arguments)
+  {
+    const LawOptions options(arguments, {"-p", "-v", "-T"});
+    if (options.words.size() != 1)
+      throw InputError("'asperity predict' takes one law, as in 'asperity "
+                       "predict law.json -p 450MPa -v 90m/min -T 300degC'.");
+    const FrictionLaw             law = FrictionLaw::load(options.words[0]);
+    const FrictionLawDescription &description = law.description();
+    const std::vector<double>     point       = point_of(description, options);
+    const LawPrediction           at          = law.predict(point.data());
+    if (!is_first_rank())
+      return 0;
+    std::cout << description.output << " = " << format_quantity(at.mean, "1", 5)
+              << ", 95 % interval " << format_quantity(at.lower, "1", 5)
+              << " to " << format_quantity(at.upper, "1", 5) << "\n"
+              << trust_line(description, point, at) << "\n";
+    std::cout << surface_line(description, at) << "\n";
+    print_derivatives(description, at);
+    print_shear(description, point, at);
+    return 0;
+  }
+
+
+
+  int
+  export_friction_law(const std::vector<std::string> &arguments)
+  {
+    const LawOptions options(arguments, {"--tolerance", "--units"});
+    if (options.words.size() != 2)
+      throw InputError("'asperity export' takes a law and a directory, as in "
+                       "'asperity export law.json for_abaqus'.");
+    const FrictionLaw law = FrictionLaw::load(options.words[0]);
+    ExportOptions     export_options;
+    export_options.fixed = parse_settings(law.description(), options.settings);
+    if (const auto entry = options.values.find("--tolerance");
+        entry != options.values.end())
+      export_options.grid.tolerance =
+        parse_input({"tolerance", "tolerance", "%"},
+                    entry->second,
+                    entry->first);
+    if (const auto entry = options.values.find("--units");
+        entry != options.values.end())
+      export_options.grid.units = units_of(entry->second);
+    if (!is_first_rank())
+      return 0;
+    print_report(export_law(law, options.words[1], export_options),
+                 options.words[1]);
+    print_comparison(law);
+    return 0;
+  }
+} // namespace asperity

@@ -1,0 +1,284 @@
+#include <asperity/base/errors.h>
+#include <asperity/lubricant/film_edge.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+namespace asperity
+{
+  using dealii::Tensor;
+
+  namespace
+  {
+    /** The starts of equal parts of [0, 1], each followed by Gauss points in
+     *  the part; the starts have no weight. */
+    dealii::Quadrature<1>
+    starts_and_gauss_points(const unsigned int n_parts,
+                            const unsigned int n_gauss)
+    {
+      const dealii::QGauss<1>       gauss(n_gauss);
+      std::vector<dealii::Point<1>> points;
+      std::vector<double>           weights;
+      for (unsigned int part = 0; part < n_parts; ++part)
+        {
+          points.emplace_back(double(part) / n_parts);
+          weights.push_back(0.);
+          for (unsigned int q = 0; q < n_gauss; ++q)
+            {
+              points.emplace_back((part + gauss.point(q)[0]) / n_parts);
+              weights.push_back(gauss.weight(q) / n_parts);
+            }
+        }
+      return dealii::Quadrature<1>(points, weights);
+    }
+  } // namespace
+
+
+
+  FilmEdge::FilmEdge(const SplineSpace   &space,
+                     const PatchGeometry &geometry,
+                     const SplineCurve   &tool,
+                     const FilmGap       &gap,
+                     const unsigned int   cells_per_span)
+    : tool(tool)
+    , film_gap(gap)
+    , cells_per_span(cells_per_span)
+    , n_gauss(space.degree() + 1)
+    , table(tabulate_edge(space,
+                          geometry,
+                          Edge::top,
+                          starts_and_gauss_points(cells_per_span, n_gauss),
+                          true))
+    , x(table.position.size())
+    , stretch(x.size())
+    , thickness(x.size())
+    , thickness_slope(x.size())
+    , tool_slope(x.size())
+  {
+    if (!space.periodic_x() || !tool.is_periodic())
+      throw InputError("A lubricant film needs a chip and a tool that are "
+                       "periodic in x.");
+    if (!(gap.residual > 0.))
+      throw InputError("The residual film must be thicker than zero.");
+  }
+
+
+
+  unsigned int
+  FilmEdge::n_cells() const
+  {
+    return table.elements.size() * cells_per_span;
+  }
+
+
+
+  double
+  FilmEdge::period() const
+  {
+    return tool.period()[0];
+  }
+
+
+
+  const BasisTable::Element &
+  FilmEdge::element_of(const unsigned int cell) const
+  {
+    return table.elements[cell / cells_per_span];
+  }
+
+
+
+  unsigned int
+  FilmEdge::first_point(const unsigned int cell) const
+  {
+    return element_of(cell).first_point +
+           (cell % cells_per_span) * (n_gauss + 1);
+  }
+
+
+
+  unsigned int
+  FilmEdge::local_point(const unsigned int cell, const unsigned int point) const
+  {
+    return point - element_of(cell).first_point;
+  }
+
+
+
+  bool
+  FilmEdge::measure(const dealii::Vector<double> &u,
+                    const Tensor<1, 2>           &tool_offset)
+  {
+    for (const auto &element : table.elements)
+      for (unsigned int q = 0; q < table.points_per_element; ++q)
+        {
+          const unsigned int n = element.functions.size();
+          const unsigned int i = element.first_point + q;
+          // Before deformation the unit tangent: the normal turned clockwise.
+          x[i]          = table.position[i];
+          stretch[i][0] = table.normal[i][1];
+          stretch[i][1] = -table.normal[i][0];
+          for (unsigned int a = 0; a < n; ++a)
+            for (unsigned int c = 0; c < 2; ++c)
+              {
+                const double ua = u(2 * element.functions[a] + c);
+                x[i][c] += element.values[q * n + a] * ua;
+                stretch[i][c] += element.gradients[q * n + a][0] * ua;
+              }
+          const auto   Y     = tool.derivatives(x[i][0] - tool_offset[0], 1);
+          const double gap   = Y[0][1] + tool_offset[1] - x[i][1];
+          thickness[i]       = film_gap.value(gap);
+          thickness_slope[i] = film_gap.slope(gap);
+          tool_slope[i]      = Y[1][1];
+          if (!(stretch[i][0] > 0.))
+            return false;
+        }
+    for (unsigned int cell = 1; cell < n_cells(); ++cell)
+      if (!(position(cell) > position(cell - 1)))
+        return false;
+    return position(0) + period() > position(n_cells() - 1);
+  }
+
+
+
+  double
+  FilmEdge::parameter(const unsigned int cell) const
+  {
+    return table.parameter[first_point(cell)][0];
+  }
+
+
+
+  double
+  FilmEdge::reference_length(const unsigned int cell) const
+  {
+    double length = 0.;
+    for (unsigned int k = 1; k <= n_gauss; ++k)
+      length += table.JxW[first_point(cell) + k];
+    return length;
+  }
+
+
+
+  double
+  FilmEdge::volume(const unsigned int cell) const
+  {
+    double volume = 0.;
+    for (unsigned int k = 1; k <= n_gauss; ++k)
+      {
+        const unsigned int i = first_point(cell) + k;
+        volume += table.JxW[i] * thickness[i] * stretch[i][0];
+      }
+    return volume;
+  }
+
+
+
+  SparseGradient
+  FilmEdge::volume_gradient(const unsigned int cell) const
+  {
+    const BasisTable::Element &element = element_of(cell);
+    const unsigned int         n       = element.functions.size();
+    SparseGradient             gradient;
+    for (unsigned int a = 0; a < n; ++a)
+      {
+        double by_x = 0., by_y = 0.;
+        for (unsigned int k = 1; k <= n_gauss; ++k)
+          {
+            const unsigned int i  = first_point(cell) + k;
+            const unsigned int q  = local_point(cell, i);
+            const double       N  = element.values[q * n + a];
+            const double       dN = element.gradients[q * n + a][0];
+            const double       moved =
+              table.JxW[i] * thickness_slope[i] * stretch[i][0] * N;
+            by_x += moved * tool_slope[i] + table.JxW[i] * thickness[i] * dN;
+            by_y -= moved;
+          }
+        gradient.emplace_back(2 * element.functions[a], by_x);
+        gradient.emplace_back(2 * element.functions[a] + 1, by_y);
+      }
+    return gradient;
+  }
+
+
+
+  double
+  FilmEdge::position(const unsigned int face) const
+  {
+    return x[first_point(face)][0];
+  }
+
+
+
+  SparseGradient
+  FilmEdge::position_gradient(const unsigned int face) const
+  {
+    const BasisTable::Element &element = element_of(face);
+    const unsigned int         n       = element.functions.size();
+    const unsigned int         q       = local_point(face, first_point(face));
+    SparseGradient             gradient;
+    for (unsigned int a = 0; a < n; ++a)
+      gradient.emplace_back(2 * element.functions[a],
+                            element.values[q * n + a]);
+    return gradient;
+  }
+
+
+
+  double
+  FilmEdge::gap(const unsigned int face) const
+  {
+    return thickness[first_point(face)];
+  }
+
+
+
+  SparseGradient
+  FilmEdge::gap_gradient(const unsigned int face) const
+  {
+    const unsigned int i = first_point(face);
+    SparseGradient     gradient;
+    for (const auto &[dof, N] : position_gradient(face))
+      {
+        gradient.emplace_back(dof, thickness_slope[i] * tool_slope[i] * N);
+        gradient.emplace_back(dof + 1, -thickness_slope[i] * N);
+      }
+    return gradient;
+  }
+
+
+
+  SparseGradient
+  FilmEdge::area_vector(const unsigned int cell) const
+  {
+    const BasisTable::Element &element = element_of(cell);
+    const unsigned int         n       = element.functions.size();
+    SparseGradient             area;
+    for (unsigned int a = 0; a < n; ++a)
+      {
+        Tensor<1, 2> sum;
+        for (unsigned int k = 1; k <= n_gauss; ++k)
+          {
+            const unsigned int i = first_point(cell) + k;
+            const double       weight =
+              table.JxW[i] * element.values[local_point(cell, i) * n + a];
+            sum[0] -= weight * stretch[i][1];
+            sum[1] += weight * stretch[i][0];
+          }
+        for (unsigned int c = 0; c < 2; ++c)
+          area.emplace_back(2 * element.functions[a] + c, sum[c]);
+      }
+    return area;
+  }
+
+
+
+  std::vector<unsigned int>
+  FilmEdge::cell_dofs(const unsigned int cell) const
+  {
+    std::vector<unsigned int> dofs;
+    for (const unsigned int function : element_of(cell).functions)
+      for (unsigned int c = 0; c < 2; ++c)
+        dofs.push_back(2 * function + c);
+    return dofs;
+  }
+} // namespace asperity

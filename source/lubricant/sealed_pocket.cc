@@ -1,0 +1,334 @@
+#include <asperity/base/errors.h>
+#include <asperity/lubricant/sealed_pocket.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity
+{
+  using Vector = dealii::Vector<double>;
+
+  namespace
+  {
+    /** Two or three suffice where a solution exists. */
+    constexpr unsigned int maximal_passes = 20;
+  } // namespace
+
+  SealedPocket::SealedPocket(const SplineSpace         &space,
+                             const PatchGeometry       &geometry,
+                             const SplineCurve         &tool,
+                             const SealedPocketOptions &options)
+    : options(options)
+    , void_volume(space, geometry, tool)
+    , length(tool.period()[0])
+    , tracker(length)
+    , accepted_tracker(length)
+  {
+    track();
+    std::vector<double> oil;
+    for (const Enclosure &pocket : pockets)
+      oil.push_back(options.wetting * pocket.volume);
+    tracker.set_masses(oil);
+    enclose();
+    accept(dealii::Vector<double>());
+  }
+
+
+
+  void
+  SealedPocket::track()
+  {
+    std::vector<PocketExtent> extents(1);
+    extents[0].open = extents[0].domain = {0., length};
+    if (options.sealing_gap > 0.)
+      {
+        std::vector<double> parameters, gaps;
+        for (unsigned int e = 0; e < void_volume.n_elements(); ++e)
+          {
+            parameters.push_back(void_volume.parameter(e));
+            gaps.push_back(void_volume.gap(e));
+          }
+        extents = find_pockets(parameters, gaps, length, options.sealing_gap);
+      }
+    std::vector<double> volumes;
+    for (const PocketExtent &extent : extents)
+      volumes.push_back(void_volume.volume(
+        void_volume.stretch(extent.domain.begin, extent.domain.end)));
+    tracker.update(extents, volumes, accepted_pressures);
+    enclose();
+  }
+
+
+
+  void
+  SealedPocket::enclose()
+  {
+    const unsigned int n_dofs = void_volume.n_dofs();
+    pockets.clear();
+    for (const Pocket &tracked : tracker.pockets())
+      {
+        Enclosure pocket;
+        pocket.stretch = void_volume.stretch(tracked.extent.domain.begin,
+                                             tracked.extent.domain.end);
+        pocket.reference_volume = tracked.mass;
+        pocket.volume           = void_volume.volume(pocket.stretch);
+        pocket.gradient.reinit(n_dofs);
+        pockets.push_back(pocket);
+      }
+  }
+
+
+
+  void
+  SealedPocket::add_couplings(dealii::DynamicSparsityPattern &pattern) const
+  {
+    void_volume.add_couplings(pattern);
+  }
+
+
+
+  bool
+  SealedPocket::set_pressure(Enclosure &pocket) const
+  {
+    const double V   = pocket.volume;
+    const double V_r = pocket.reference_volume;
+    pocket.pressure = pocket.stiffness = 0.;
+    if (V_r == 0.)
+      return true;
+    if (V <= 0.)
+      return false;
+    if (options.density.law == DensityLaw::incompressible)
+      {
+        const double p =
+          pocket.multiplier + options.penalty_modulus * (1. - V / V_r);
+        if (p <= 0.)
+          return true;
+        pocket.pressure  = p;
+        pocket.stiffness = options.penalty_modulus / V_r;
+        return true;
+      }
+    if (V >= V_r)
+      return true;
+    const double ratio = V_r / V;
+    const double p     = options.density.pressure(ratio);
+    if (!std::isfinite(p))
+      return false;
+    pocket.pressure  = p;
+    pocket.stiffness = ratio / V / options.density.derivative(p);
+    return std::isfinite(pocket.stiffness);
+  }
+
+
+
+  bool
+  SealedPocket::add(const Vector                 &u,
+                    Vector                       &residual,
+                    dealii::SparseMatrix<double> *tangent)
+  {
+    void_volume.measure(u);
+    for (Enclosure &pocket : pockets)
+      {
+        pocket.volume = void_volume.volume(pocket.stretch);
+        if (!set_pressure(pocket))
+          return false;
+        if (pocket.pressure == 0.)
+          continue;
+        pocket.gradient = 0.;
+        void_volume.add_gradient(pocket.stretch, 1., pocket.gradient);
+        residual.add(-pocket.pressure, pocket.gradient);
+        if (tangent != nullptr)
+          void_volume.add_hessian(pocket.stretch, -pocket.pressure, *tangent);
+      }
+    return true;
+  }
+
+
+
+  std::vector<RankOneTerm>
+  SealedPocket::rank_one_terms() const
+  {
+    std::vector<RankOneTerm> terms;
+    for (const Enclosure &pocket : pockets)
+      if (pocket.stiffness > 0.)
+        terms.push_back({pocket.gradient, pocket.stiffness});
+    return terms;
+  }
+
+
+
+  Lubricant::Exchange
+  SealedPocket::exchange(const Vector &u)
+  {
+    if (options.density.law != DensityLaw::incompressible)
+      return Exchange::converged;
+    if (++n_passes_ > maximal_passes)
+      return Exchange::failed;
+    Exchange result = Exchange::converged;
+    for (Enclosure &pocket : pockets)
+      if (std::abs(pocket.pressure - pocket.multiplier) >
+          options.volume_tolerance * options.penalty_modulus)
+        {
+          pocket.multiplier = pocket.pressure;
+          result            = Exchange::repeat;
+        }
+    return result;
+  }
+
+
+
+  std::string
+  SealedPocket::reason() const
+  {
+    return n_passes_ > maximal_passes ?
+             "the volume of the incompressible oil was not met" :
+             "";
+  }
+
+
+
+  void
+  SealedPocket::begin_step(const Vector      &u,
+                           const unsigned int step,
+                           const double,
+                           const double)
+  {
+    step_     = step;
+    n_passes_ = 0;
+    tracker   = accepted_tracker;
+    if (options.sealing_gap > 0.)
+      {
+        void_volume.measure(u);
+        track();
+      }
+    const auto &former = accepted_tracker.pockets();
+    for (unsigned int i = 0; i < pockets.size(); ++i)
+      for (unsigned int j = 0; j < former.size(); ++j)
+        if (former[j].name == tracker.pockets()[i].name)
+          pockets[i].multiplier = accepted_pressures[j];
+  }
+
+
+
+  void
+  SealedPocket::accept(const Vector &)
+  {
+    accepted_tracker = tracker;
+    accepted_pressures.clear();
+    for (const Enclosure &pocket : pockets)
+      accepted_pressures.push_back(pocket.pressure);
+    if (step_ == 0 || options.sealing_gap == 0.)
+      return;
+    for (PocketEvent event : tracker.events())
+      {
+        // The tracker also counts steps that were tried again.
+        event.step = step_;
+        events_.push_back(to_string(event));
+      }
+  }
+
+
+
+  LubricantState
+  SealedPocket::state() const
+  {
+    LubricantState state;
+    for (const Enclosure &pocket : pockets)
+      {
+        if (pocket.pressure > 0.)
+          for (unsigned int i = 0; i < pocket.gradient.size(); ++i)
+            state.pressure_force[i % 2] += pocket.pressure * pocket.gradient(i);
+        state.max_pressure = std::max(state.max_pressure, pocket.pressure);
+        state.void_volume += pocket.volume;
+        state.reference_volume += pocket.reference_volume;
+        state.oil_volume +=
+          pocket.reference_volume / options.density.ratio(pocket.pressure);
+      }
+    state.reference_volume += tracker.sealed_mass();
+    state.mean_pressure = (0. - state.pressure_force[1]) / length;
+    state.smallest_film = void_volume.gap(0);
+    for (unsigned int e = 1; e < void_volume.n_elements(); ++e)
+      state.smallest_film = std::min(state.smallest_film, void_volume.gap(e));
+    state.n_pockets = pockets.size();
+    return state;
+  }
+
+
+
+  double
+  SealedPocket::pressure(const double parameter) const
+  {
+    if (pockets.empty())
+      return 0.;
+    std::vector<PocketExtent> extents;
+    for (const Pocket &pocket : tracker.pockets())
+      extents.push_back(pocket.extent);
+    return pockets[pocket_at(extents, parameter, length)].pressure;
+  }
+
+
+
+  std::vector<std::string>
+  SealedPocket::events() const
+  {
+    return events_;
+  }
+
+
+
+  std::vector<double>
+  SealedPocket::save() const
+  {
+    const PocketTracker::State state = accepted_tracker.state();
+    const double               n     = accepted_pressures.size();
+    std::vector<double>        data  = {n,
+                                        state.sealed_mass,
+                                        state.quantum,
+                                        static_cast<double>(state.n_names_given),
+                                        static_cast<double>(state.step)};
+    for (const auto *list :
+         {&accepted_pressures, &state.extents, &state.masses})
+      data.insert(data.end(), list->begin(), list->end());
+    for (const std::string &name : state.names)
+      {
+        data.push_back(name.size());
+        data.insert(data.end(), name.begin(), name.end());
+      }
+    return data;
+  }
+
+
+
+  void
+  SealedPocket::load(const std::vector<double> &data)
+  {
+    auto       value = data.begin();
+    const auto next  = [&]() {
+      if (value == data.end())
+        throw InputError("The checkpoint's list of oil pockets ends early.");
+      return *value++;
+    };
+    const auto fill = [&](std::vector<double> &list, const std::size_t n) {
+      for (std::size_t i = 0; i < n; ++i)
+        list.push_back(next());
+    };
+    const unsigned int   n = next();
+    PocketTracker::State state;
+    state.sealed_mass   = next();
+    state.quantum       = next();
+    state.n_names_given = next();
+    state.step          = next();
+    accepted_pressures.clear();
+    fill(accepted_pressures, n);
+    fill(state.extents, 4 * n);
+    fill(state.masses, n);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        std::vector<double> letters;
+        fill(letters, next());
+        state.names.emplace_back(letters.begin(), letters.end());
+      }
+    accepted_tracker.restore(state);
+    tracker = accepted_tracker;
+    enclose();
+  }
+} // namespace asperity
