@@ -40,8 +40,7 @@ namespace asperity
                        {"dynamic", Inertia::dynamic}},
                       "Whether the chip's mass counts: `automatic` follows the "
                       "scene audit; `quasi-static`; `dynamic`, "
-                      "generalized-alpha as in the seed, the chip starting "
-                      "with velocity v.");
+                      "generalized-alpha, the chip starting with velocity v.");
     parameters.number("Spectral radius",
                       spectral_radius,
                       Range::between(0., 1.),

@@ -36,7 +36,7 @@ namespace asperity
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int j = 0; j < dim; ++j)
         inverse_jacobian[i][j] = cell.flow.inverse_jacobian(x.q)[i][j];
-    // The reference cell has length 1 here, 2 in the papers.
+    // The reference cell has length 1 here, 2 in Bazilevs et al. (2007).
     const Tensor<2, 2> G = 4. * transpose(inverse_jacobian) * inverse_jacobian;
 
     Stabilisation s;

@@ -160,7 +160,7 @@ namespace
     Vector                            u;
   };
 
-  /** BENCHMARKS B11: a and p_f/p* at P/p* = 0.2, 0.5, 1, 2. */
+  /** The exact solution: a and p_f/p* at P/p* = 0.2, 0.5, 1, 2. */
   struct TrappedPocketCase
   {
     double modulus; ///< K/p*

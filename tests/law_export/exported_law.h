@@ -52,7 +52,7 @@ namespace asperity_test
      Scale::linear,
      Scale::logarithmic}};
 
-  /** A smooth law over the ranges of the dissertation's section 2.3. */
+  /** A smooth law over the ranges of Lee (2025), section 2.3. */
   inline double
   formula(const double p, const double v, const double T, const double wetting)
   {

@@ -82,7 +82,7 @@ TEST(PowerLaw, leaves_out_runs_as_fitting_without_them_does)
 
 TEST(VelocityLaw, finds_where_the_constant_part_ends)
 {
-  // dry, in the dissertation's section 2.1: constant up to 46 m/min
+  // dry, in Lee (2025), section 2.1: constant up to 46 m/min
   const double v_0 = 46. / 60.;
   const auto   dry = [&](double, const double v, double) {
     return 0.6 * std::pow(std::max(v, v_0) / v_0, -0.4);

@@ -155,7 +155,7 @@ TEST(Design, a_grid_has_the_corners_of_the_box)
 {
   const auto inputs = example_inputs();
   const auto x      = grid_points({10, 9, 10}, inputs);
-  ASSERT_EQ(x.size(), 900u * 3u); // as the 900 runs of the dissertation
+  ASSERT_EQ(x.size(), 900u * 3u); // as the 900 runs of Lee (2025)
   std::set<std::vector<double>> points;
   for (unsigned int i = 0; i < 900; ++i)
     points.insert({x[3 * i], x[3 * i + 1], x[3 * i + 2]});

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-/** Pressure, velocity and temperature in the ranges of the dissertation. */
+/** Pressure, velocity and temperature in the ranges of Lee (2025). */
 inline std::vector<asperity::LawInput>
 example_inputs()
 {

@@ -20,7 +20,7 @@ namespace
     {"Load/Velocity", "v", "m/min", 0.375, 10. / 3., Scale::logarithmic},
     {"Load/Temperature", "T", "degC", 298.15, 1173.15, Scale::linear}};
 
-  /** Falls with pressure, velocity and temperature, as the seed's results. */
+  /** Falls with pressure, velocity and temperature, as in Lee (2025). */
   double
   mu(const double *x)
   {

@@ -185,7 +185,7 @@ TEST(GaussianProcess, interpolates_and_forgets)
 
 
 
-// C24: two pairs 1e-9 apart, one of them with conflicting values. A process
+// Two pairs 1e-9 apart, one of them with conflicting values. A process
 // without noise cannot follow the conflict, yet it must neither fail nor hide
 // that it was helped.
 TEST(GaussianProcess, near_duplicates_are_survived_and_reported)

@@ -105,7 +105,7 @@ TEST(HyperparameterSearch, subset_leads_to_the_same_maximum)
 
 
 
-// C24: a pair of points 1e-9 apart with conflicting values makes noise likely,
+// A pair of points 1e-9 apart with conflicting values makes noise likely,
 // not the process wild.
 TEST(HyperparameterSearch, conflicting_pair_is_taken_for_noise)
 {

@@ -10,7 +10,7 @@
 using namespace asperity;
 using namespace asperity_test;
 
-// The two tool surfaces of the repository have the Rz of the seed's tools.
+// The two tool surfaces of the repository have the Rz of those of Lee (2025).
 namespace
 {
   HeightMap

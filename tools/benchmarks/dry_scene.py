@@ -117,7 +117,7 @@ def chart_accuracy(arguments, points):
         axes.loglog(time, 100 * error, "o", color="#12355b")
         axes.annotate(name, (time, 100 * error), fontsize=7,
                       textcoords="offset points", xytext=(4, 3))
-    axes.axhline(0.7, color="#f2c14e", label="0.7 %, the seed's tolerance")
+    axes.axhline(0.7, color="#f2c14e", label="0.7 %, mesh tolerance of Lee (2025)")
     axes.set_xlabel("wall time of the run [s]")
     axes.set_ylabel("error of mu against the finest run [%]")
     axes.legend()

@@ -7,7 +7,7 @@ namespace asperity
 {
   /**
    * The constants of the Johnson-Cook flow stress. The defaults are the steel
-   * of table 1 of section 2.3 of the dissertation this program follows.
+   * of Lee (2025), section 2.3, table 1.
    */
   struct JohnsonCookParameters
   {
@@ -27,7 +27,7 @@ namespace asperity
    *   sigma = (A + B eps^n) (1 + C ln max(1, epsdot/epsdot_0)) (1 - T*^m),
    *   T* = (T - T_transition)/(T_melt - T_transition), clamped to [0, 1].
    *
-   * Departures from the paper: below the reference rate the rate factor is 1
+   * Departures from theirs: below the reference rate the rate factor is 1
    * (the logarithm would be negative and the stress at rest -infinity), and the
    * thermal factor does not fall below thermal_floor, so that a molten point
    * keeps a positive flow stress and a regular tangent.

@@ -10,9 +10,9 @@ namespace asperity
 
   /**
    * A lubricant as a parameter file describes it. The defaults of density and
-   * viscosity are those of table 2 of section 2.3 of the dissertation this
-   * program follows; it takes the oil as incompressible, which a pocket
-   * without outlet is not: hence the default of the density law.
+   * viscosity are those of Lee (2025), section 2.3, table 2. The oil is
+   * incompressible there, which a pocket without outlet cannot be: hence the
+   * default of the density law.
    */
   struct LubricantParameters
   {

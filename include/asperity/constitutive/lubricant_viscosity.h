@@ -23,8 +23,8 @@ namespace asperity
   };
 
   /**
-   * The constants of the viscosity. The default is the oil of table 2 of
-   * section 2.3 of the dissertation this program follows: 0.032 Pa s, whatever
+   * The constants of the viscosity. The default is the oil of Lee (2025),
+   * section 2.3, table 2: 0.032 Pa s, whatever
    * the rate and the pressure. The other constants are those of a mineral oil
    * and count only if their law is chosen.
    */

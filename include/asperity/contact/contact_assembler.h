@@ -49,15 +49,15 @@ namespace asperity
    * reference edge, so forces balance and the tangent is exact:
    *
    *   mortar:      sum_a W_a / (2 epsilon) <lambda_a - epsilon g_a>^2,
-   *                g_a = int N_a g / W_a, W_a = int N_a    (eqs. 15, 16, seed)
+   *                g_a = int N_a g / W_a,  W_a = int N_a
    *   Gauss point: int 1 / (2 epsilon) <lambda - epsilon g>^2
    *
    * so the pressure is p = sum_a N_a <lambda_a - epsilon g_a>, or pointwise,
    * and acts along the obstacle's normal: R_a = - int N_a p n. The pressure
-   * counts per reference length; on the seed's current length it differs by the
-   * stretch, which multiplies the penalty only.
-   * L. De Lorenzis, I. Temizer, P. Wriggers, G. Zavarise, IJNME 87 (2011)
-   * 1278-1300.
+   * counts per reference length; per current length (Lee 2025, section 2.3,
+   * equations 15 and 16) it differs by the stretch, which multiplies the
+   * penalty only. L. De Lorenzis, I. Temizer, P. Wriggers, G. Zavarise, IJNME
+   * 87 (2011) 1278-1300.
    */
   class ContactAssembler : public ForceTerm
   {

@@ -9,7 +9,7 @@ namespace asperity
   /**
    * Where a point of the deformable body stands to a rigid surface. The gap is
    * positive when open: gap = (x - x_p) . normal with the closest point x_p;
-   * equation 14 of the seed has the opposite sign.
+   * equation 14 of Lee (2025), section 2.3, has the opposite sign.
    */
   struct GapPoint
   {

@@ -8,8 +8,8 @@
 namespace asperity
 {
   /**
-   * The friction coefficient of a run (equation 17 of the seed): numerator and
-   * denominator are averaged over a window of time first,
+   * The friction coefficient of a run (Lee 2025, section 2.3, equation 17):
+   * numerator and denominator are averaged over a window of time first,
    * mu = |int T_x dt| / |int T_y dt|, by the trapezoidal rule, which halves the
    * first-order error of the time steps.
    */

@@ -15,8 +15,8 @@
 namespace asperity
 {
   /**
-   * The bodies of a contact scene, as DESIGN has it: an isogeometric chip
-   * block, periodic in x, below a rigid periodic tool. Lengths in metres; y
+   * The bodies of a contact scene: an isogeometric chip block, periodic in
+   * x, below a rigid periodic tool. Lengths in metres; y
    * points from the chip's bottom (y = 0) to the tool.
    */
   class Scene

@@ -33,7 +33,7 @@ namespace asperity
 
   /**
    * What the nodes of a fluid's wall and the edges of a spline solid tell each
-   * other, by finite interpolation (the dissertation's section 1.3.4): a node
+   * other, by finite interpolation (Lee 2025, section 1.3.4): a node
    * that sits at parameter xi of an edge moves with it,
    *
    *   d_i = sum_a N_a(xi_i) u_a = (H u)_i,

@@ -19,7 +19,7 @@ namespace asperity
   enum class FluidTimeScheme
   {
     steady,
-    implicit_euler, ///< first order, as the dissertation
+    implicit_euler, ///< first order, as in Lee (2025)
     bdf2            ///< second order; its first step is implicit Euler
   };
 

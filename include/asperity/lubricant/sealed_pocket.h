@@ -33,7 +33,7 @@ namespace asperity
 
   /**
    * Liquid enclosed between the chip and the tool, without flow: one pressure a
-   * pocket (DESIGN, "Wetting, and the sealed-pocket model"),
+   * pocket,
    *
    *   p >= 0,  V - V_oil(p) >= 0,  p (V - V_oil(p)) = 0,
    *   V_oil = V_r rho_0 / rho(p),

@@ -44,7 +44,7 @@ namespace asperity
   fit_power_law(const FrictionLaw &law);
 
   /**
-   * The law of section 2.1 of the dissertation, over the velocity alone: mu is
+   * The law of Lee (2025), section 2.1, over the velocity alone: mu is
    * constant up to a velocity v_0 and a power function beyond it (dry, there
    * with v_0 = 46 m/min); without the constant part if the runs want none (its
    * lubricated law). v_0, the floor of the velocity, is the one of 200 over the
