@@ -12,8 +12,8 @@ Usage: tools/benchmarks/lubricated_scene.py [--asperity PROGRAM] [--to FOLDER]
   film     the Reynolds rung over the thickness of its residual film
   thin     the Reynolds rung at wetting 0.6 with oil that is ever thinner, and
            the pocket that it must become
-  flooded  the sixteen reference scenes full of oil, with the dissertation's
-           model (dynamic, incompressible Navier-Stokes), with an incompressible
+  flooded  the sixteen reference scenes full of oil, with the model of
+           Lee (2025: dynamic, incompressible Navier-Stokes), with an incompressible
            film, and with what the audit chooses
 
 Tables go to the screen in Markdown, charts as PNG into FOLDER (default
@@ -29,13 +29,13 @@ from dry_scene import ROOT, load_case, print_head, run
 CASES = [(p, v, T) for p in (300, 1300) for v in (22.5, 200) for T in (25, 675)]
 HEAD = ("mu | contact fraction | oil pressure [MPa] | share of the load | "
         "mu by shear | steps | Newton iterations | wall time [s]")
-FLOODED = {"dissertation": {},
+FLOODED = {"flow": {},
            "film": {"Lubrication/Model": "Reynolds",
                     "Lubricant/Density law": "incompressible",
                     "Protocol/Inertia": "automatic"},
            "audit": {"Lubrication/Model": "automatic",
                      "Protocol/Inertia": "automatic"}}
-FLOODED_LABELS = {"dissertation": "Navier-Stokes, incompressible, dynamic",
+FLOODED_LABELS = {"flow": "Navier-Stokes, incompressible, dynamic",
                   "film": "Reynolds, incompressible",
                   "audit": "the audit's choice, compressible"}
 COLOURS = {"none": "#9aa0a6", "pocket": "#12355b", "Reynolds": "#c1553b",

@@ -55,9 +55,9 @@ namespace asperity
    * wall as long as the force is not yet the right one; at the end it does not,
    * since the jump of velocity is one of the measures.
    * (S. Badia, F. Nobile, C. Vergara, J. Comput. Phys. 227 (2008) 7027-7051;
-   * T. Spenke, M. Make, N. Hosters, IJNME 123 (2022).) Dirichlet: v = v_wall;
-   * diverges without acceleration if the fluid is the heavier of the two, and
-   * has no solution at all if the fluid is sealed.
+   * T. Spenke, M. Make, N. Hosters, IJNME 124 (2023) 979-997.) Dirichlet: v =
+   * v_wall; diverges without acceleration if the fluid is the heavier of the
+   * two, and has no solution at all if the fluid is sealed.
    */
   class PartitionedStep
   {

@@ -41,7 +41,7 @@ namespace asperity
    *   tau = ((2 rho a_0)^2 + rho^2 c.G c + 36 eta^2 G : G)^(-1/2),
    *   tau_C = (rho^2 c.G c + 36 eta^2 G : G)^(1/2)/tr G
    *
-   * (SUPG, PSPG, LSIC; T. E. Tezduyar, S. Sathe, CMAME 192 (2003); Y. Bazilevs
+   * (SUPG, PSPG, LSIC; T. E. Tezduyar, S. Sathe (2003); Y. Bazilevs
    * et al., CMAME 197 (2007) 173), where G is the metric of the map to the
    * reference cell and a_0 the coefficient of the new velocity in its rate.
    * Since tau rho a_0 <= 1/2, the equation of the pressure keeps its sign for
