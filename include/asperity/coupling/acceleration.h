@@ -111,6 +111,7 @@ namespace asperity
     Vector old_residual; ///< empty in the first iteration of a step
   };
 
+  /** @throws InputError if the relaxation factor is not in (0, 2] */
   std::unique_ptr<Acceleration>
   make_acceleration(const AccelerationParameters &parameters);
 } // namespace asperity

@@ -30,7 +30,7 @@ namespace asperity
      * @param flow must outlive this object; velocity and geometry of the same
      *   degree, so that mesh and flow have their nodes in common
      * @param wall boundary ids of the interface
-     * @throw InputError if the degrees differ
+     * @throws InputError if the degrees differ
      */
     AleFluid(NavierStokes      &flow,
              const BoundaryIds &wall,

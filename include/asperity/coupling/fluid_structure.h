@@ -49,7 +49,7 @@ namespace asperity
     /**
      * @param mesh of the fluid, must outlive this object and not change
      * @param wall its boundaries on the body's wet edges
-     * @throw InputError if mesh and body do not touch, or the coupling scheme
+     * @throws InputError if mesh and body do not touch, or the coupling scheme
      *   is impossible
      */
     FluidStructure(const dealii::Triangulation<2> &mesh,
@@ -85,7 +85,7 @@ namespace asperity
     std::vector<double>
     save();
 
-    /** @throw InputError if the list is not one that save() made for the same
+    /** @throws InputError if the list is not one that save() made for the same
      *  meshes */
     void
     load(const std::vector<double> &data);
@@ -93,7 +93,7 @@ namespace asperity
     /** Continues from the last accepted step of the same body in a fluid mesh
      *  of other refinement or degree, see interpolate_to_mesh(): a flow
      *  develops at less cost on a coarse mesh.
-     *  @throw InputError if the bodies have different numbers of unknowns */
+     *  @throws InputError if the bodies have different numbers of unknowns */
     void
     continue_from(const FluidStructure &other);
 

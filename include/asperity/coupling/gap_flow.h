@@ -46,6 +46,8 @@ namespace asperity
   public:
     using Vector = dealii::Vector<double>;
 
+    /** @param tool a graph whose parameter is x, with the period of the chip
+     *  @throws InputError if the gap cannot be meshed */
     GapFlow(const SplineSpace    &space,
             const PatchGeometry  &geometry,
             const SplineCurve    &tool,

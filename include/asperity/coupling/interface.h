@@ -20,7 +20,7 @@ namespace asperity
    * The places on some edges of a patch next to given positions, by projection
    * onto the edges' own spline curves.
    * @param tolerance [m]
-   * @throw InputError if a position is farther away from all edges
+   * @throws InputError if a position is farther away from all edges
    */
   std::vector<EdgePoint>
   find_on_edges(const SplineSpace                   &space,

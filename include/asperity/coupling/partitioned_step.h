@@ -65,7 +65,7 @@ namespace asperity
     using Vector = dealii::Vector<double>;
 
     /** The sides must outlive this object.
-     *  @throw InputError if the scheme cannot work: Dirichlet-Neumann with a
+     *  @throws InputError if the scheme cannot work: Dirichlet-Neumann with a
      *  sealed fluid */
     PartitionedStep(SolidSide                &solid,
                     FluidSide                &fluid,

@@ -43,7 +43,8 @@ namespace asperity
   class RobinCoefficient
   {
   public:
-    /** @param fixed value [Pa s/m]; empty: from the solid */
+    /** @param fixed value [Pa s/m]; empty: from the solid
+     *  @throws InputError if it is not positive */
     explicit RobinCoefficient(const std::optional<double> fixed = {});
 
     /** Chooses the value for a step.

@@ -16,7 +16,7 @@ namespace asperity
    * pressure of the next step is wrong.
    * @param u by `from`
    * @param to its mesh is refined from the same coarse mesh as that of `from`
-   * @throw InputError if the coarse meshes have different numbers of cells
+   * @throws InputError if the coarse meshes have different numbers of cells
    */
   dealii::Vector<double>
   interpolate_to_mesh(const dealii::DoFHandler<2>  &from,

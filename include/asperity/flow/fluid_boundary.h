@@ -23,6 +23,10 @@ namespace asperity
    * (sets compare by their smallest id).
    *
    * n is the outward normal of the flow, so sigma n acts on the fluid.
+   *
+   * @throws InputError from each function that sets a condition, if its set
+   *   overlaps another one or a periodic side, if there are not as many nodal
+   *   values as nodes, or if a coefficient is negative
    */
   class FluidBoundary
   {

@@ -42,6 +42,7 @@ namespace asperity
      * @param degree of the velocity
      * @param geometry_degree of the cells' shape and of the mesh displacement,
      *   at least 2
+     * @throws InputError if a degree is too low for the element
      */
     FluidSpace(const dealii::Triangulation<2>   &mesh,
                const FluidElement                element,

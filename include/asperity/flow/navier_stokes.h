@@ -70,7 +70,7 @@ namespace asperity
     save() const;
 
     /** Takes the values from such a list; the sizes are those of this state.
-     *  @throw InputError if the list is of another length */
+     *  @throws InputError if the list is of another length */
     void
     load(const std::vector<double> &data);
   };
@@ -108,7 +108,8 @@ namespace asperity
   public:
     using Vector = dealii::Vector<double>;
 
-    /** @param mesh is not copied and must not change */
+    /** @param mesh is not copied and must not change
+     *  @throws InputError as FluidSpace */
     NavierStokes(const dealii::Triangulation<2>   &mesh,
                  const FluidOptions               &options,
                  const std::vector<PeriodicSides> &periodic = {});

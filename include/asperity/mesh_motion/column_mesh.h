@@ -85,7 +85,7 @@ namespace asperity
     /**
      * @param chip periodic; only its period and knots matter
      * @param tool a graph whose parameter is x, with the period of the chip
-     * @throw InputError if the layout or the curves are not as said
+     * @throws InputError if the layout or the curves are not as said
      */
     ColumnMesh(const SplineCurve  &chip,
                const SplineCurve  &tool,

@@ -64,7 +64,8 @@ namespace asperity
     /**
      * @param dofs of an FESystem<2>(FE_Q<2>(k), 2), must outlive this object
      * @param reference shape of the cells without displacement
-     * @throw InputError if no boundary is prescribed in both components
+     * @throws InputError if no boundary is prescribed in both components, or if
+     * a part of the mesh is not held
      */
     ElasticMeshUpdate(const dealii::DoFHandler<2> &dofs,
                       const dealii::Mapping<2>    &reference,

@@ -63,7 +63,7 @@ namespace asperity
      * @param n_periods how often a periodic chip is drawn side by side
      * @throws ComputationError naming the field whose length is wrong or that
      *   holds a number that is not finite (in single precision, which VTU
-     * stores)
+     *   stores), or if a chip without period is to be drawn more than once
      */
     void
     write(std::ostream      &out,

@@ -42,7 +42,8 @@ namespace asperity
      *   empty for none
      * @param keep_until on a restart: rows of the existing files whose first
      *   number is at most this stay, later ones are removed
-     * @throws InputError if rows are to be kept and the headings differ
+     * @throws InputError if a heading has such a character, or if rows are to
+     * be kept and the headings differ
      */
     Table(const std::string              &path,
           const std::vector<TableColumn> &columns,

@@ -22,7 +22,7 @@ namespace asperity
    * Two-scale relation to the dyadic refinement, one matrix a *fine* span:
    * S[fine span](a, b) with N^coarse_a = sum_b S(a,b) N^fine_b on that span,
    * a counts span_functions(fine span / 2) of the coarse basis, b those of the
-   * fine one.
+   * fine one. @throws InputError unless `fine` is the refinement of `coarse`
    */
   std::vector<dealii::FullMatrix<double>>
   two_scale_relation(const KnotVector &coarse, const KnotVector &fine);

@@ -30,7 +30,7 @@ namespace asperity
   class ClosestPoint
   {
   public:
-    /** @throw InputError if the degree exceeds 10. */
+    /** @throws InputError if the degree exceeds 10. */
     explicit ClosestPoint(const SplineCurve &curve,
                           const CurveSide    free_side = CurveSide::right);
 

@@ -21,7 +21,7 @@ namespace asperity
 
   /**
    * One row a datum. Parameters of a periodic basis may lie in any turn.
-   * Throws InputError if there are not as many parameters as points, or if one
+   * @throws InputError if there are not as many parameters as points, or if one
    * is not finite.
    */
   std::vector<CollocationRow>

@@ -61,7 +61,7 @@ namespace asperity
   public:
     static constexpr unsigned int max_degree = 10;
 
-    /** @throw InputError if the degree exceeds max_degree. */
+    /** @throws InputError if the degree exceeds max_degree. */
     explicit CurvePieces(const SplineCurve &curve);
 
     unsigned int

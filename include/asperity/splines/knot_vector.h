@@ -22,14 +22,14 @@ namespace asperity
      * Maximal continuity: every interior breakpoint is a simple knot.
      * @param breakpoints strictly increasing, from the first to the last
      *   parameter (periodic: from the start of the period to its end)
-     * Throws InputError if degree < 1 or breakpoints do not increase or, when
+     * @throws InputError if degree < 1 or breakpoints do not increase or, when
      * periodic, if there are fewer than degree + 1 spans.
      */
     KnotVector(const unsigned int         degree,
                const std::vector<double> &breakpoints,
                const bool                 periodic = false);
 
-    /** An open knot vector with any multiplicities; checked. */
+    /** Open, any multiplicities. @throws InputError if the knots are none. */
     static KnotVector
     from_knots(const unsigned int degree, const std::vector<double> &knots);
 

@@ -38,7 +38,7 @@ namespace asperity
      *   KnotVector::greville())
      * @param weights of a NURBS curve, positive; empty for a B-spline
      * @param period [m], only with periodic knots
-     * Throws InputError if the numbers do not agree or a weight is not
+     * @throws InputError if the numbers do not agree or a weight is not
      * positive.
      */
     SplineCurve(const KnotVector                    &knot_vector,
@@ -73,7 +73,7 @@ namespace asperity
     const dealii::Tensor<1, 2> &
     period() const;
 
-    /** Same parametrization, other control points: cheap. */
+    /** As many others: cheap. @throws InputError if there are not as many. */
     void
     set_control_points(const std::vector<dealii::Point<2>> &control_points);
 

@@ -51,7 +51,7 @@ namespace asperity
 
   /**
    * Global interpolation: as many data as functions, on open or periodic knots.
-   * Throws InputError where the data do not determine the curve
+   * @throws InputError where the data do not determine the curve
    * (Schoenberg-Whitney conditions).
    */
   SplineFit
@@ -60,7 +60,8 @@ namespace asperity
               const std::vector<double>           &parameters,
               const dealii::Tensor<1, 2>          &period = {});
 
-  /** Global interpolation on chord-length parameters and averaged knots. */
+  /** Global interpolation on chord-length parameters and averaged knots.
+   *  @throws InputError as chord_parameters() and averaged_knots() */
   SplineFit
   interpolate(const std::vector<dealii::Point<2>> &points,
               const unsigned int                   degree);
@@ -68,7 +69,8 @@ namespace asperity
   /**
    * Weighted least squares with an optional bending term. Periodic knots:
    * parameters may lie in any turn.
-   * Throws InputError if a span has too few data and there is no bending term.
+   * @throws InputError if a span has too few data and there is no bending term,
+   *   or if a weight is not positive
    */
   SplineFit
   fit_least_squares(const KnotVector                    &knot_vector,
@@ -81,6 +83,8 @@ namespace asperity
    * n_spans equal spans (wrapped fit).
    * @param x positions [m], in any order and turn; x_0 is the smallest one
    * @param y heights [m]
+   * @throws InputError as fit_least_squares(), if the period is not positive or
+   *   if there are not as many heights as positions
    */
   SplineFit
   fit_periodic_graph(const std::vector<double> &x,
