@@ -136,6 +136,16 @@ namespace asperity
 
 
 
+  bool
+  MaterialParameters::heats_itself() const
+  {
+    const bool yields = law == MaterialLawName::johnson_cook ||
+                        law == MaterialLawName::saturation_hardening;
+    return yields && heating.adiabatic && heating.heat_fraction > 0.;
+  }
+
+
+
   std::unique_ptr<MaterialLaw>
   make_material_law(const MaterialParameters &parameters)
   {

@@ -44,10 +44,14 @@ namespace asperity
                 << format_quantity(surface.fit_rms, "nm", 2) << " rms\n";
     }
 
-    /** @param explain with the treatment of measured surfaces, and what the
+    /** @param heats_itself whether plastic work heats the chip
+     *  @param explain with the treatment of measured surfaces, and what the
      *  numbers of the audit say */
     void
-    print_scene(const Scene &scene, const SceneAudit &audit, const bool explain)
+    print_scene(const Scene      &scene,
+                const SceneAudit &audit,
+                const bool        heats_itself,
+                const bool        explain)
     {
       std::cout << "Tool: " << scene.tool_surface.description << ", period "
                 << format_quantity(scene.length, "um", 4) << ", peak to valley "
@@ -69,7 +73,10 @@ namespace asperity
       for (const AuditEntry &entry : audit.entries)
         {
           std::cout << "  " << std::left << std::setw(48) << entry.name
-                    << std::setprecision(3) << entry.value << "\n";
+                    << (std::isfinite(entry.value) ?
+                          format_quantity(entry.value, "1", 3) :
+                          "undefined")
+                    << "\n";
           if (explain)
             std::cout << "      " << entry.meaning << "\n";
         }
@@ -80,7 +87,7 @@ namespace asperity
                 << ", "
                 << (audit.inertia == Inertia::dynamic ? "dynamic" :
                                                         "quasi-static")
-                << ", adiabatic\n";
+                << (heats_itself ? ", adiabatic\n" : ", isothermal\n");
     }
 
     void
@@ -170,7 +177,7 @@ namespace asperity
     Scene             &scene = *audited.scene;
     const SceneAudit  &audit = audited.audit;
     std::cout << version_line() << "\n";
-    print_scene(scene, audit, false);
+    print_scene(scene, audit, parameters.material.heats_itself(), false);
 
     SlidingRun   run(parameters, scene);
     unsigned int restart_step = 0;
@@ -219,7 +226,10 @@ namespace asperity
       return 0;
     SceneInput         input(file);
     const AuditedScene audited(input.parameters);
-    print_scene(*audited.scene, audited.audit, true);
+    print_scene(*audited.scene,
+                audited.audit,
+                input.parameters.material.heats_itself(),
+                true);
     for (const std::string &warning : audited.audit.warnings)
       std::cout << "Warning: " << warning << "\n";
     std::cout << file << " is valid.\n";

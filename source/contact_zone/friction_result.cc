@@ -26,12 +26,17 @@ namespace asperity
       return row;
     }
 
-    double
-    coefficient(const double T_x, const double T_y)
-    {
-      return T_y != 0. ? std::abs(T_x / T_y) : 0.;
-    }
   } // namespace
+
+
+
+  double
+  friction_coefficient(const double T_x,
+                       const double T_y,
+                       const double direction)
+  {
+    return T_y != 0. ? std::copysign(1., direction) * T_x / T_y : 0.;
+  }
 
 
 
@@ -44,10 +49,12 @@ namespace asperity
       throw ComputationError("The friction window holds no time step: it "
                              "starts at " +
                              std::to_string(begin * 1e6) + " us.");
+    const double way =
+      rows.back().sliding_distance - rows.front().sliding_distance;
     FrictionResult result;
     result.window_begin = std::max(begin, rows.front().time);
     result.window_end   = std::min(end, rows.back().time);
-    result.mu_end       = coefficient(rows.back().T_x, rows.back().T_y);
+    result.mu_end = friction_coefficient(rows.back().T_x, rows.back().T_y, way);
 
     FrictionRow sum;
     double      mu = 0., mu_squared = 0.;
@@ -60,8 +67,8 @@ namespace asperity
         const FrictionRow a = interpolate(rows[i - 1], rows[i], t0),
                           b = interpolate(rows[i - 1], rows[i], t1);
         const double half   = 0.5 * (t1 - t0);
-        const double mu_a   = coefficient(a.T_x, a.T_y),
-                     mu_b   = coefficient(b.T_x, b.T_y);
+        const double mu_a   = friction_coefficient(a.T_x, a.T_y, way),
+                     mu_b   = friction_coefficient(b.T_x, b.T_y, way);
         sum.T_x += half * (a.T_x + b.T_x);
         sum.T_y += half * (a.T_y + b.T_y);
         sum.contact_fraction +=
@@ -80,7 +87,7 @@ namespace asperity
     result.oil_pressure     = sum.oil_pressure / duration;
     result.oil_T_x          = sum.oil_T_x / duration;
     result.shear_T_x        = sum.shear_T_x / duration;
-    result.mu               = coefficient(sum.T_x, sum.T_y);
+    result.mu               = friction_coefficient(sum.T_x, sum.T_y, way);
     const double mean       = mu / duration;
     result.spread =
       std::sqrt(std::max(0., mu_squared / duration - mean * mean));

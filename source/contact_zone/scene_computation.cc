@@ -11,6 +11,8 @@ namespace asperity
                   const SceneParameters          &parameters)
   {
     std::vector<std::string> warnings = warnings_of_audit;
+    for (const std::string &warning : run.judgement().warnings)
+      warnings.push_back(warning);
     if (parameters.protocol.window == FrictionWindow::steady &&
         !run.is_steady())
       warnings.push_back(
@@ -38,6 +40,7 @@ namespace asperity
 
     SceneResult result;
     result.friction      = run.friction();
+    result.status        = run.judgement().status;
     result.over_distance = means_over_distance(run.state().rows, 0.1e-6);
     result.last          = run.state().rows.back();
     result.lubricant     = name(parameters.lubrication.model);

@@ -194,17 +194,21 @@ namespace asperity
     json
     summarise_friction(const SlidingRun &run, const SceneParameters &parameters)
     {
-      const FrictionResult friction = run.friction();
-      const double         v        = parameters.load.velocity;
-      json                 summary;
+      const FrictionResult    friction  = run.friction();
+      const FrictionJudgement judgement = run.judgement();
+      const double            v         = parameters.load.velocity;
+      json                    summary;
       summary["mu"]     = friction.mu;
       summary["mu_end"] = friction.mu_end;
       summary["spread"] = friction.spread;
+      summary["valid"]  = judgement.status == FrictionStatus::valid;
+      summary["status"] = name(judgement.status);
       summary["window"] = {friction.window_begin, friction.window_end};
       summary["window_sliding_distance"] = {friction.window_begin * v,
                                             friction.window_end * v};
       summary["T_x"]                     = friction.T_x;
       summary["T_y"]                     = friction.T_y;
+      summary["carried_load"]            = judgement.carried_load;
       json distances                     = json::array();
       for (const DistanceMean &mean :
            means_over_distance(run.state().rows, 0.1e-6))
@@ -216,6 +220,13 @@ namespace asperity
       return summary;
     }
 
+    /** JSON has no number for 0/0. */
+    json
+    number_or_null(const double value)
+    {
+      return std::isfinite(value) ? json(value) : json(nullptr);
+    }
+
     json
     summarise_oil(const SlidingRun      &run,
                   const Scene           &scene,
@@ -224,10 +235,10 @@ namespace asperity
       const FrictionResult friction = run.friction();
       const FrictionRow   &last     = run.state().rows.back();
       json                 summary;
-      summary["wetting"]  = parameters.lubrication.wetting;
-      summary["pressure"] = friction.oil_pressure;
-      summary["load_share"] =
-        friction.oil_pressure * scene.length / std::abs(friction.T_y);
+      summary["wetting"]    = parameters.lubrication.wetting;
+      summary["pressure"]   = friction.oil_pressure;
+      summary["load_share"] = number_or_null(
+        friction.oil_pressure * scene.length / std::abs(friction.T_y));
       summary["T_x_pressure"]        = friction.oil_T_x;
       summary["T_x_shear"]           = friction.shear_T_x;
       summary["reference_volume"]    = last.oil_reference_volume;
@@ -298,7 +309,7 @@ namespace asperity
     summary["models"]       = {
             {"lubricant", name(parameters.lubrication.model)},
             {"inertia", run.dynamics() == nullptr ? "quasi-static" : "dynamic"},
-            {"heat", "adiabatic"},
+            {"heat", parameters.material.heats_itself() ? "adiabatic" : "isothermal"},
             {"material", scene.law->name()}};
     summary["mesh"]     = {{"degree", scene.space->degree()},
                            {"cells", scene.space->n_cells()},
@@ -310,7 +321,7 @@ namespace asperity
                            {"chip", scene.chip_surface.description}};
     json numbers;
     for (const AuditEntry &entry : audit.entries)
-      numbers[entry.name] = entry.value;
+      numbers[entry.name] = number_or_null(entry.value);
     summary["audit"]    = numbers;
     summary["cost"]     = summarise_cost(run, scene, seconds_, wall_time);
     summary["warnings"] = warnings;

@@ -92,7 +92,7 @@ namespace asperity
     const double last   = mean(slid - window, slid),
                  before = mean(slid - 2. * window, slid - window);
     return std::abs(last - before) <=
-           parameters.protocol.steady_tolerance * last;
+           parameters.protocol.steady_tolerance * std::abs(last);
   }
 
 

@@ -17,7 +17,7 @@ namespace asperity
     row.T_y              = contact.force[1];
     if (scene.lubricant)
       record_lubricant(row);
-    row.mu                   = row.T_y != 0. ? std::abs(row.T_x / row.T_y) : 0.;
+    row.mu = friction_coefficient(row.T_x, row.T_y, parameters.load.velocity);
     row.contact_fraction     = contact.contact_fraction;
     row.max_contact_pressure = contact.max_pressure;
     row.max_penetration      = std::max(0., contact.max_penetration);
@@ -74,5 +74,13 @@ namespace asperity
                                     end - parameters.protocol.steady_distance /
                                             parameters.load.velocity);
     return average_friction(state_.rows, begin, end);
+  }
+
+
+
+  FrictionJudgement
+  SlidingRun::judgement() const
+  {
+    return judge_friction(state_.rows, friction(), protocol_, scene.length);
   }
 } // namespace asperity

@@ -57,10 +57,24 @@ TEST(AverageFriction, does_not_depend_on_the_sense_of_sliding)
 {
   auto rows = three_rows();
   for (auto &row : rows)
-    row.T_x *= -1.;
+    {
+      row.T_x *= -1.;
+      row.sliding_distance *= -1.;
+    }
   const FrictionResult result = average_friction(rows, 0.5, 2.);
   EXPECT_NEAR(result.T_x, 3.75 / 1.5, 1e-14);
   EXPECT_NEAR(result.mu, 3. / 11., 1e-14);
+}
+
+TEST(AverageFriction, is_negative_where_the_tool_pushes_the_chip_along_its_way)
+{
+  auto rows = three_rows();
+  for (auto &row : rows)
+    row.T_x *= -1.;
+  const FrictionResult result = average_friction(rows, 0.5, 2.);
+  EXPECT_NEAR(result.mu, -3. / 11., 1e-14);
+  EXPECT_NEAR(result.mu_end, -0.6, 1e-14);
+  EXPECT_NEAR(result.spread, std::sqrt(0.08 - 16. / 225.), 1e-13);
 }
 
 TEST(AverageFriction, a_finer_partition_of_the_same_history_changes_nothing)

@@ -34,6 +34,10 @@ namespace asperity
     /** Declares the subsection "Material". */
     void
     declare(ParameterDeclarator &parameters);
+
+    /** Whether plastic work heats the points of this material. */
+    bool
+    heats_itself() const;
   };
 
   /** @throws InputError if the parameters have no physical meaning */

@@ -8,9 +8,22 @@
 namespace asperity
 {
   /**
-   * The friction coefficient of a run (Lee 2025, section 2.3, equation 17):
-   * numerator and denominator are averaged over a window of time first,
-   * mu = |int T_x dt| / |int T_y dt|, by the trapezoidal rule, which halves the
+   * Force against the motion over the load, from the force (T_x, T_y) on the
+   * chip [N/m]. Equation 17 of Lee (2025, section 2.3) takes absolute values;
+   * here a tool that pushes the chip along its way gives a negative
+   * coefficient. Zero as long as nothing is loaded.
+   * @param direction of the chip's motion along x, of which only the sign
+   * counts
+   */
+  double
+  friction_coefficient(const double T_x,
+                       const double T_y,
+                       const double direction);
+
+  /**
+   * The friction coefficient of a run: numerator and denominator are averaged
+   * over a window of time first, mu = int T_x dt / int T_y dt with the sign of
+   * friction_coefficient(), by the trapezoidal rule, which halves the
    * first-order error of the time steps.
    */
   struct FrictionResult
@@ -32,8 +45,10 @@ namespace asperity
     double shear_T_x    = 0.;
   };
 
-  /** Rows must be in order of time and hold at least one row after `begin`;
-   *  values at the ends of the window are interpolated. */
+  /** Rows must be in order of time; values at the ends of the window are
+   *  interpolated.
+   *  @throws ComputationError if no row lies after `begin`, or the window is
+   *  empty */
   FrictionResult
   average_friction(const std::vector<FrictionRow> &rows,
                    const double                    begin,

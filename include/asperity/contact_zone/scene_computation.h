@@ -13,7 +13,12 @@ namespace asperity
   /** What a campaign keeps of a scene; SI. */
   struct SceneResult
   {
-    FrictionResult            friction;
+    FrictionResult friction;
+
+    /** Whether `friction` is a result at all: means of runs that are not valid
+     *  are not to be learnt from. */
+    FrictionStatus status = FrictionStatus::valid;
+
     std::vector<DistanceMean> over_distance;
     FrictionRow               last; ///< state at the end
     double                    oil_load_share = 0.;

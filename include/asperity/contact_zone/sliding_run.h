@@ -2,6 +2,7 @@
 #define asperity_contact_zone_sliding_run_h
 
 #include <asperity/base/statistics.h>
+#include <asperity/contact_zone/friction_judgement.h>
 #include <asperity/contact_zone/friction_result.h>
 #include <asperity/contact_zone/load_protocol.h>
 #include <asperity/contact_zone/lubricated_step.h>
@@ -49,9 +50,15 @@ namespace asperity
     void
     run(const Observer &observer);
 
-    /** The mean over the window that the parameters ask for. */
+    /** The mean over the window that the parameters ask for.
+     *  @throws ComputationError if no step has been made */
     FrictionResult
     friction() const;
+
+    /** Whether friction() is a friction coefficient.
+     *  @throws ComputationError if no step has been made */
+    FrictionJudgement
+    judgement() const;
 
     /** Whether a `steady` window found the mean steady. */
     bool
