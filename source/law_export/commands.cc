@@ -1,3 +1,4 @@
+#include <asperity/base/command_options.h>
 #include <asperity/base/errors.h>
 #include <asperity/base/quantity.h>
 #include <asperity/base/text.h>
@@ -32,7 +33,7 @@ namespace asperity
 
     /** The point of -p, -v, -T and --set, in the law's order. */
     std::vector<double>
-    point_of(const FrictionLawDescription &law, const LawOptions &options)
+    point_of(const FrictionLawDescription &law, const CommandOptions &options)
     {
       std::map<std::string, double> given =
         parse_settings(law, options.settings);
@@ -210,7 +211,7 @@ namespace asperity
   int
   predict_friction(const std::vector<std::string> &arguments)
   {
-    const LawOptions options(arguments, {"-p", "-v", "-T"});
+    const CommandOptions options(arguments, {"-p", "-v", "-T", "--set"});
     if (options.words.size() != 1)
       throw InputError("'asperity predict' takes one law, as in 'asperity "
                        "predict law.json -p 450MPa -v 90m/min -T 300degC'.");
@@ -235,7 +236,8 @@ namespace asperity
   int
   export_friction_law(const std::vector<std::string> &arguments)
   {
-    const LawOptions options(arguments, {"--tolerance", "--units"});
+    const CommandOptions options(arguments,
+                                 {"--tolerance", "--units", "--set"});
     if (options.words.size() != 2)
       throw InputError("'asperity export' takes a law and a directory, as in "
                        "'asperity export law.json for_abaqus'.");

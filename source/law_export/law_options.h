@@ -9,30 +9,6 @@
 
 namespace asperity
 {
-  /**
-   * The command line of a command on a law: words without a dash in front, and
-   * options that each take a value.
-   */
-  struct LawOptions
-  {
-    std::vector<std::string> words;
-
-    /** "-p" -> "450MPa" */
-    std::map<std::string, std::string> values;
-
-    /** The values of `--set`, "Load/Pressure = 450 MPa". */
-    std::vector<std::string> settings;
-
-    /**
-     * @param arguments the command's name first
-     * @param known options besides `--set`
-     * @throws InputError for unknown options, options without a value or given
-     *   twice
-     */
-    LawOptions(const std::vector<std::string> &arguments,
-               const std::vector<std::string> &known);
-  };
-
   /** The input with this name or symbol. @throws InputError that lists the
    *  inputs, with the nearest one if one is near */
   const LawInput &
