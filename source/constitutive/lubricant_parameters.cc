@@ -14,7 +14,7 @@ namespace asperity
       d.quantity("Density",
                  density,
                  "kg/m^3",
-                 Range::positive(),
+                 Range::between(10., 1e5),
                  "Mass density rho_0 at ambient pressure.");
       d.choice("Density law",
                law.law,
@@ -29,11 +29,11 @@ namespace asperity
       d.quantity("Bulk modulus",
                  law.bulk_modulus,
                  "GPa",
-                 Range::positive(),
+                 Range::between(1e6, 1e12),
                  "Bulk modulus K_0 at ambient pressure.");
       d.number("Bulk modulus slope",
                law.modulus_derivative,
-               Range::positive(),
+               Range::between(0.1, 100.),
                "Growth K' of the bulk modulus with pressure, of Murnaghan's "
                "law.");
     }
@@ -46,7 +46,7 @@ namespace asperity
       d.quantity("Viscosity",
                  p.viscosity,
                  "Pa s",
-                 Range::positive(),
+                 Range::between(1e-6, 1e6),
                  "Dynamic viscosity eta_0 at low shear rate and ambient "
                  "pressure.");
       d.choice("Shear law",
@@ -59,12 +59,12 @@ namespace asperity
       d.quantity("Infinite shear viscosity",
                  p.infinite_shear_viscosity,
                  "Pa s",
-                 Range::non_negative(),
+                 Range::between(0., 1e6),
                  "Viscosity eta_inf at infinite shear rate.");
       d.quantity("Time constant",
                  p.time_constant,
                  "s",
-                 Range::non_negative(),
+                 Range::between(0., 1.),
                  "Time constant lambda: thinning starts at the rate "
                  "1/lambda.");
       d.number("Power index",
@@ -89,11 +89,11 @@ namespace asperity
       d.quantity("Pressure coefficient",
                  p.pressure_coefficient,
                  "1/GPa",
-                 Range::non_negative(),
+                 Range::between(0., 1e-6),
                  "Pressure-viscosity coefficient alpha of Barus.");
       d.number("Roelands exponent",
                p.roelands_exponent,
-               Range::non_negative(),
+               Range::between(0., 2.),
                "Exponent Z of Roelands.");
       d.choice("Stress limit",
                p.stress_limit,
@@ -105,11 +105,11 @@ namespace asperity
       d.quantity("Limiting stress",
                  p.limiting_stress,
                  "MPa",
-                 Range::positive(),
+                 Range::between(1e3, 1e10),
                  "Limiting shear stress tau_0 at ambient pressure.");
       d.number("Limiting stress slope",
                p.limiting_stress_slope,
-               Range::non_negative(),
+               Range::between(0., 1.),
                "Growth zeta of the limiting shear stress with pressure.");
     }
   } // namespace

@@ -3,6 +3,8 @@
 #include <asperity/constitutive/hyperelasticity.h>
 #include <asperity/constitutive/material_parameters.h>
 
+#include <cmath>
+
 namespace asperity
 {
   namespace
@@ -13,12 +15,12 @@ namespace asperity
       d.quantity("Density",
                  p.density,
                  "kg/m^3",
-                 Range::positive(),
+                 Range::between(1., 1e5),
                  "Mass density rho of the undeformed body.");
       d.quantity("Young's modulus",
                  p.young_modulus,
                  "GPa",
-                 Range::positive(),
+                 Range::between(1e6, 2e12),
                  "Young's modulus E at small strain.");
       d.number("Poisson's ratio",
                p.poisson_ratio,
@@ -38,7 +40,7 @@ namespace asperity
       d.quantity("Heat capacity",
                  p.heat_capacity,
                  "J/(kg K)",
-                 Range::positive(),
+                 Range::between(1., 1e5),
                  "Specific heat capacity c_p.");
       d.number("Heat fraction",
                p.heat_fraction,
@@ -52,33 +54,37 @@ namespace asperity
     declare_johnson_cook(JohnsonCookParameters &p, ParameterDeclarator &d)
     {
       const auto section = d.subsection("Johnson-Cook");
-      d.quantity("A", p.A, "MPa", Range::positive(), "Initial flow stress A.");
+      d.quantity(
+        "A", p.A, "MPa", Range::between(1e3, 1e11), "Initial flow stress A.");
       d.quantity("B",
                  p.B,
                  "MPa",
-                 Range::non_negative(),
+                 Range::between(0., 1e12),
                  "Hardening coefficient B of B eps^n.");
-      d.number("n", p.n, Range::positive(), "Hardening exponent n.");
+      d.number("n", p.n, Range::between(0.001, 10.), "Hardening exponent n.");
       d.number("C",
                p.C,
-               Range::non_negative(),
+               Range::between(0., 1.),
                "Rate sensitivity C of 1 + C ln(rate/reference rate).");
       d.quantity("Reference rate",
                  p.reference_rate,
                  "1/s",
-                 Range::positive(),
+                 Range::between(1e-12, 1e9),
                  "Plastic strain rate below which the flow stress does not "
                  "depend on the rate.");
-      d.number("m", p.m, Range::positive(), "Exponent m of thermal softening.");
+      d.number("m",
+               p.m,
+               Range::between(0.01, 20.),
+               "Exponent m of thermal softening.");
       d.quantity("Transition temperature",
                  p.transition_temperature,
                  "degC",
-                 Range::non_negative(),
+                 Range::between(0., 5273.15),
                  "Temperature at which softening starts.");
       d.quantity("Melting temperature",
                  p.melting_temperature,
                  "degC",
-                 Range::positive(),
+                 Range::between(0., 5273.15),
                  "Temperature at which the flow stress has fallen to its "
                  "floor, a thousandth of that at the transition temperature.");
     }
@@ -92,21 +98,21 @@ namespace asperity
       d.quantity("Yield stress",
                  p.yield_stress,
                  "MPa",
-                 Range::positive(),
+                 Range::between(1e3, 1e11),
                  "Initial flow stress sigma_0.");
       d.quantity("Saturation stress",
                  p.saturation_stress,
                  "MPa",
-                 Range::positive(),
+                 Range::between(1e3, 1e11),
                  "Flow stress sigma_inf that the saturating part tends to.");
       d.number("Saturation rate",
                p.saturation_rate,
-               Range::non_negative(),
+               Range::between(0., 1e6),
                "Rate delta of 1 - exp(-delta eps), per plastic strain.");
       d.quantity("Linear hardening",
                  p.linear_hardening,
                  "MPa",
-                 Range::non_negative(),
+                 Range::between(0., 1e12),
                  "Linear hardening modulus H.");
     }
   } // namespace
@@ -132,6 +138,35 @@ namespace asperity
     declare_heating(heating, parameters);
     declare_johnson_cook(johnson_cook, parameters);
     declare_hardening(hardening, parameters);
+  }
+
+
+
+  void
+  MaterialParameters::check(const ParameterDeclarator &parameters) const
+  {
+    const double softens = johnson_cook.transition_temperature,
+                 melts   = johnson_cook.melting_temperature;
+    if (law == MaterialLawName::johnson_cook && !(melts > softens))
+      throw InputError(
+        parameters.where("Material/Johnson-Cook/Melting temperature") +
+        ": found " + format_quantity(melts, "degC") +
+        "; expected more than the transition temperature of " +
+        format_quantity(softens, "degC") + ", at which softening starts.");
+  }
+
+
+
+  std::optional<double>
+  MaterialParameters::softest_temperature() const
+  {
+    if (law != MaterialLawName::johnson_cook)
+      return {};
+    // 1 - T*^m has fallen to the floor.
+    const JohnsonCookParameters &p = johnson_cook;
+    return p.transition_temperature +
+           (p.melting_temperature - p.transition_temperature) *
+             std::pow(1. - JohnsonCook::thermal_floor, 1. / p.m);
   }
 
 

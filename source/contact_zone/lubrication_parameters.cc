@@ -79,7 +79,7 @@ namespace asperity
       parameters.quantity("Sealing gap",
                           sealing_gap,
                           "nm",
-                          Range::non_negative(),
+                          Range::between(0., 1e-4),
                           "Model `pocket`: where the gap is smaller, the "
                           "surfaces seal, and the void on each side is a "
                           "pocket with a pressure of its own; 0: all voids "
@@ -87,7 +87,7 @@ namespace asperity
       parameters.quantity("Residual film",
                           residual_film,
                           "nm",
-                          Range::positive(),
+                          Range::between(1e-11, 1e-6),
                           "Models with flow: the thickness of the film where "
                           "the surfaces touch.");
     }

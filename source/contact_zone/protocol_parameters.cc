@@ -9,13 +9,13 @@ namespace asperity
     parameters.quantity("End time",
                         end_time,
                         "us",
-                        Range::positive(),
+                        Range::between(1e-12, 10.),
                         "t_end. With the window `steady` it only sets the "
                         "length of the load ramp.");
     parameters.quantity("Sliding distance",
                         sliding_distance,
                         "um",
-                        Range::positive(),
+                        Range::between(1e-12, 1.),
                         "Distance that the chip slides until t_end, which is "
                         "then this distance over the velocity, so that fast "
                         "and slow runs are compared after the same way; "
@@ -68,22 +68,22 @@ namespace asperity
     parameters.quantity("Steady distance",
                         steady_distance,
                         "um",
-                        Range::positive(),
+                        Range::between(1e-10, 1.),
                         "Window `steady`: sliding distance of a window.");
     parameters.quantity("Steady step",
                         steady_step,
                         "nm",
-                        Range::positive(),
+                        Range::between(1e-12, 1e-3),
                         "Window `steady`: sliding distance of a time step.");
     parameters.number("Steady tolerance",
                       steady_tolerance,
-                      Range::positive(),
+                      Range{0., 0.5, false, true},
                       "Window `steady`: relative change of mu between "
                       "successive windows that ends the run.");
     parameters.quantity("Maximum distance",
                         maximum_distance,
                         "um",
-                        Range::positive(),
+                        Range::between(1e-10, 1.),
                         "Window `steady`: sliding distance at which the run "
                         "ends with a warning if mu is not steady.");
   }

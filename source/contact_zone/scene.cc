@@ -18,10 +18,10 @@ namespace asperity
   graded_rows(const double height, const double top, const double grading)
   {
     // Rows top, top g, top g^2, ... until they reach the bottom, then scaled to
-    // fit.
-    std::vector<double> rows;
-    double              sum = 0.;
-    for (double row = top; sum + 0.5 * row < height; row *= grading)
+    // fit. A chip that is flatter than its elements are long has one row.
+    std::vector<double> rows = {top};
+    double              sum  = top;
+    for (double row = top * grading; sum + 0.5 * row < height; row *= grading)
       {
         rows.push_back(row);
         sum += row;
@@ -33,6 +33,58 @@ namespace asperity
     std::reverse(levels.begin(), levels.end());
     return levels;
   }
+
+
+
+  namespace
+  {
+    /** Bezier elements that the memory of a workstation holds with the factors
+     *  of their tangent. */
+    constexpr double largest_mesh = 1e6;
+
+    /** Upper bound of the number of elements: each row is as fine as its upper
+     *  edge. */
+    double
+    largest_number_of_elements(const MeshParameters      &mesh,
+                               const std::vector<double> &rows)
+    {
+      double sum = 0.;
+      for (std::size_t i = 1; i < rows.size(); ++i)
+        {
+          const double depth = rows.back() - rows[i];
+          unsigned int level = 0;
+          while (level < mesh.refinement &&
+                 depth < mesh.strip * (1u << (mesh.refinement - level - 1)))
+            ++level;
+          // Finer rows within this one end with their strips.
+          double finer = 1.;
+          for (unsigned int l = 1; l <= level; ++l)
+            {
+              const double rows_of_level =
+                mesh.strip * (1u << (mesh.refinement - l)) /
+                  ((rows[i] - rows[i - 1]) / (1u << l)) +
+                2.;
+              finer += (1u << l) * std::min<double>(1u << l, rows_of_level);
+            }
+          sum += (mesh.spans >> mesh.refinement) * finer;
+        }
+      return sum;
+    }
+
+    /** Before memory runs out. */
+    void
+    check_size(const MeshParameters &mesh, const std::vector<double> &rows)
+    {
+      const double n = largest_number_of_elements(mesh, rows);
+      if (n > largest_mesh)
+        throw InputError("Mesh: these entries make a mesh of about " +
+                         format_quantity(n, "1", 2) +
+                         " elements; expected at most " +
+                         format_quantity(largest_mesh, "1") +
+                         ": fewer Spans, a larger Row grading, a smaller Strip "
+                         "depth, or a smaller Chip height.");
+    }
+  } // namespace
 
 
 
@@ -78,13 +130,12 @@ namespace asperity
   void
   Scene::build_chip(const SceneParameters &parameters)
   {
-    chip = std::make_unique<SolidAssembler>(space,
-                                            geometry,
-                                            law,
-                                            Kinematics::plane_strain,
-                                            parameters.mesh.quadrature > 0 ?
-                                              parameters.mesh.quadrature :
-                                              std::max(2u, space->degree()));
+    chip =
+      std::make_unique<SolidAssembler>(space,
+                                       geometry,
+                                       law,
+                                       Kinematics::plane_strain,
+                                       parameters.mesh.n_quadrature_points());
     MaterialState start;
     start.temperature    = parameters.load.temperature;
     start.plastic_strain = parameters.load.plastic_strain;
@@ -147,6 +198,7 @@ namespace asperity
       columns[i] = length * i / n;
     const std::vector<double> rows =
       graded_rows(height, length / n, mesh.grading);
+    check_size(mesh, rows);
     space =
       std::make_shared<SplineSpace>(KnotVector(mesh.degree, columns, true),
                                     KnotVector(mesh.degree, rows));

@@ -51,9 +51,7 @@ namespace asperity
     Surface
     make_harmonics(const SurfaceParameters &parameters, const double length)
     {
-      const double highest = *std::max_element(parameters.wave_numbers.begin(),
-                                               parameters.wave_numbers.end());
-      Surface      surface;
+      Surface surface;
       surface.period = length;
       surface.curve  = interpolate_periodic_function(
         [&](const double x) {
@@ -66,7 +64,7 @@ namespace asperity
         },
         0.,
         length,
-        parameters.spans.value_or(40 * static_cast<unsigned int>(highest)),
+        parameters.n_spans_of_harmonics(),
         parameters.degree);
       surface.description =
         std::to_string(parameters.amplitudes.size()) + " harmonics";

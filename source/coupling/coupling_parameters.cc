@@ -49,13 +49,13 @@ namespace asperity
     d.quantity("Robin coefficient",
                robin_coefficient,
                "Pa s/m",
-               Range::positive(),
+               Range::between(1., 1e15),
                "Coefficient alpha of the Robin condition; `automatic` takes "
                "the impedance of the solid.");
     declare_acceleration(acceleration, d);
     d.number("Tolerance",
              tolerance,
-             Range::positive(),
+             Range{0., 0.01, false, true},
              "Relative change of displacement and force and relative jump of "
              "the velocity that end the iteration.");
     d.integer("Maximum iterations",
@@ -69,18 +69,18 @@ namespace asperity
     d.quantity("Displacement floor",
                displacement_floor,
                "um",
-               Range::non_negative(),
+               Range::between(0., 1e-9),
                "Smallest displacement of a step that changes are compared "
                "with.");
     d.quantity("Force floor",
                force_floor,
                "N/m",
-               Range::non_negative(),
+               Range::between(0., 1.),
                "Smallest nodal force that differences are compared with.");
     d.quantity("Velocity floor",
                velocity_floor,
                "m/s",
-               Range::non_negative(),
+               Range::between(0., 0.01),
                "Smallest velocity that jumps are compared with.");
   }
 } // namespace asperity

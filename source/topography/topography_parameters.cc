@@ -1,6 +1,8 @@
 #include <asperity/base/parameters.h>
 #include <asperity/topography/topography_parameters.h>
 
+#include <cmath>
+
 namespace asperity
 {
   namespace
@@ -23,13 +25,13 @@ namespace asperity
       parameters.quantity("Spacing x",
                           p.spacing_x,
                           "um",
-                          Range::positive(),
+                          Range::between(1e-12, 1e-2),
                           "Distance of the samples in a line of a text matrix; "
                           "automatic: the file says it.");
       parameters.quantity("Spacing y",
                           p.spacing_y,
                           "um",
-                          Range::positive(),
+                          Range::between(1e-12, 1e-2),
                           "Distance of the lines of a text matrix; automatic: "
                           "as Spacing x.");
     }
@@ -39,7 +41,7 @@ namespace asperity
     {
       parameters.number("Spike threshold",
                         p.spike_threshold,
-                        Range::non_negative(),
+                        Range::between(0., 1000.),
                         "Points further from the median of their neighbours "
                         "than this many robust standard deviations count as "
                         "missing; 0 switches the search off, 6 is usual.");
@@ -72,13 +74,13 @@ namespace asperity
       parameters.quantity("S-filter nesting index",
                           p.s_filter,
                           "um",
-                          Range::non_negative(),
+                          Range::between(0., 0.1),
                           "Cutoff of the Gaussian filter (ISO 16610-61) that "
                           "removes shorter waves; 0 um switches it off.");
       parameters.quantity("L-filter nesting index",
                           p.l_filter,
                           "um",
-                          Range::non_negative(),
+                          Range::between(0., 0.1),
                           "Cutoff of the Gaussian filter (ISO 16610-61) that "
                           "removes longer waves; 0 um switches it off.");
     }
@@ -89,7 +91,7 @@ namespace asperity
       parameters.quantity("Profile direction",
                           p.direction,
                           "deg",
-                          Range::any(),
+                          Range::between(-2. * M_PI, 2. * M_PI),
                           "Angle of the profile to x: 0 deg is along the rows, "
                           "90 deg along the columns.");
       parameters.text("Profile position",
@@ -100,12 +102,12 @@ namespace asperity
       parameters.quantity("Profile start",
                           p.start,
                           "um",
-                          Range::non_negative(),
+                          Range::between(0., 1.),
                           "Arc length at which the profile begins.");
       parameters.quantity("Profile length",
                           p.length,
                           "um",
-                          Range::non_negative(),
+                          Range::between(0., 1.),
                           "Length of the profile before scaling; 0 um takes "
                           "what the map has.");
       parameters.number("Largest missing fraction",
@@ -115,11 +117,11 @@ namespace asperity
                         "lines up to this fraction of it; more are an error.");
       parameters.number("Scale x",
                         p.scale_x,
-                        Range::positive(),
+                        Range::between(1e-6, 1e6),
                         "Factor on the lengths of the finished profile.");
       parameters.number("Scale z",
                         p.scale_z,
-                        Range::positive(),
+                        Range::between(1e-6, 1e6),
                         "Factor on the heights of the finished profile.");
     }
 
@@ -142,7 +144,7 @@ namespace asperity
                          "Degree of the wrapped spline.");
       parameters.number("Samples per knot",
                         p.spline.samples_per_knot,
-                        Range::at_least(1.),
+                        Range::between(1., 1000.),
                         "Knot spacing of the wrapped spline over the sample "
                         "spacing; more is smoother.");
       parameters.number("Blend fraction",

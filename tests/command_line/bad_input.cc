@@ -77,7 +77,7 @@ TEST_F(BadInput, negative_density)
 {
   EXPECT_EQ(refusal(in("Material", "set Density = -7850 kg/m3")),
             "Error: scene.prm, line 2, entry 'Material/Density': '-7850 kg/m3' "
-            "is out of range; more than 0 kg/m3 is expected.\n");
+            "is out of range; 1 kg/m3 to 100000 kg/m3 is expected.\n");
 }
 
 TEST_F(BadInput, incompressible_steel)
@@ -127,9 +127,8 @@ TEST_F(BadInput, refined_strip_deeper_than_the_chip)
 TEST_F(BadInput, bodies_that_overlap_at_the_start)
 {
   EXPECT_EQ(refusal(in("Geometry", "set Initial gap = -0.1 um")),
-            "Error: scene.prm, line 2, entry 'Geometry/Initial gap': found "
-            "-0.1 um, so that tool and chip overlap at the start; expected a "
-            "gap >= 0 um.\n");
+            "Error: scene.prm, line 2, entry 'Geometry/Initial gap': '-0.1 um' "
+            "is out of range; 0 um to 1000 um is expected.\n");
 }
 
 TEST_F(BadInput, empty_window)
@@ -264,5 +263,5 @@ TEST_F(BadInput, oil_of_negative_stiffness)
 {
   EXPECT_EQ(refusal(in("Lubricant", "set Bulk modulus = -1.6 GPa")),
             "Error: scene.prm, line 2, entry 'Lubricant/Bulk modulus': '-1.6 "
-            "GPa' is out of range; more than 0 GPa is expected.\n");
+            "GPa' is out of range; 0.001 GPa to 1000 GPa is expected.\n");
 }

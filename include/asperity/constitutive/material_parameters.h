@@ -4,6 +4,7 @@
 #include <asperity/constitutive/finite_strain_j2.h>
 
 #include <memory>
+#include <optional>
 
 namespace asperity
 {
@@ -34,6 +35,16 @@ namespace asperity
     /** Declares the subsection "Material". */
     void
     declare(ParameterDeclarator &parameters);
+
+    /** Relations between entries.
+     *  @throws InputError if entries contradict each other */
+    void
+    check(const ParameterDeclarator &parameters) const;
+
+    /** The temperature from which on the flow stress is at its floor [K];
+     *  empty if the law does not melt. */
+    std::optional<double>
+    softest_temperature() const;
 
     /** Whether plastic work heats the points of this material. */
     bool

@@ -61,7 +61,8 @@ namespace asperity
     void
     declare(ParameterDeclarator &parameters);
 
-    /** Relations between entries; throws InputError. */
+    /** Relations between entries.
+     *  @throws InputError naming the entry that contradicts another */
     void
     check(const ParameterDeclarator &parameters) const;
 

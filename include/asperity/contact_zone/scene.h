@@ -22,6 +22,8 @@ namespace asperity
   class Scene
   {
   public:
+    /** @throws InputError if surfaces, mesh or oil cannot be made of the
+     *  parameters */
     explicit Scene(const SceneParameters &parameters);
 
     Scene(const Scene &) = delete;
@@ -113,7 +115,8 @@ namespace asperity
   };
 
   /** Levels of the rows of the coarsest mesh: heights from 0 to `height`, the
-   *  topmost row about `top` high, growing downwards by `grading`. */
+   *  topmost row about `top` high, growing downwards by `grading`; at least one
+   *  row. */
   std::vector<double>
   graded_rows(const double height, const double top, const double grading);
 } // namespace asperity

@@ -39,10 +39,18 @@ namespace asperity
             const std::string   &section,
             const std::string   &whose);
 
-    /** Throws InputError if entries contradict each other. */
+    /** @throws InputError if entries contradict each other */
     void
     check(const ParameterDeclarator &parameters,
           const std::string         &section) const;
+
+    /** Spans of the spline of harmonics over a period. */
+    unsigned int
+    n_spans_of_harmonics() const;
+
+    /** The largest of the wave numbers. */
+    unsigned int
+    highest_wave_number() const;
   };
 
   struct GeometryParameters
@@ -62,10 +70,25 @@ namespace asperity
     unsigned int refinement = 3;
     double       strip      = 0.3e-6; ///< depth of the finest cells [m]
     double       grading    = 1.5;    ///< growth of rows with depth
-    unsigned int quadrature = 0;      ///< Gauss points; 0: degree + 1
+    unsigned int quadrature = 0;      ///< Gauss points; 0: the degree
 
     void
     declare(ParameterDeclarator &parameters);
+
+    /** Relations between entries.
+     *  @param height of the chip [m]
+     *  @throws InputError if the splines cannot be built, or their integrals
+     *  not be taken */
+    void
+    check(const ParameterDeclarator &parameters, const double height) const;
+
+    /** Gauss points in each direction of an element, at least the degree. */
+    unsigned int
+    n_quadrature_points() const;
+
+    /** The fewest with which no motion but a rigid one is free of stress. */
+    unsigned int
+    fewest_quadrature_points() const;
   };
 
   struct LoadParameters
@@ -114,6 +137,11 @@ namespace asperity
 
     void
     declare(ParameterDeclarator &parameters);
+
+    /** Relations between entries.
+     *  @throws InputError if the steady window could never be judged */
+    void
+    check(const ParameterDeclarator &parameters) const;
 
   private:
     void
@@ -175,7 +203,8 @@ namespace asperity
     void
     declare(ParameterDeclarator &parameters);
 
-    /** Relations between entries; throws InputError. */
+    /** Relations between entries.
+     *  @throws InputError naming the entry that contradicts another */
     void
     check(const ParameterDeclarator &parameters) const;
 

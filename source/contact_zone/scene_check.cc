@@ -1,0 +1,134 @@
+#include <asperity/base/errors.h>
+#include <asperity/base/quantity.h>
+#include <asperity/contact_zone/scene_parameters.h>
+
+#include <algorithm>
+
+namespace asperity
+{
+  namespace
+  {
+    /** Elements of the contact edge that a wave of a rough chip needs. */
+    constexpr unsigned int elements_per_wave = 4;
+
+    /** Time steps of a steady window; more are a mistake in a unit. */
+    constexpr double largest_number_of_steps = 1e6;
+  } // namespace
+
+
+
+  void
+  MeshParameters::check(const ParameterDeclarator &parameters,
+                        const double               height) const
+  {
+    if (spans % (1u << refinement) != 0)
+      throw InputError(parameters.where("Mesh/Spans") + ": found " +
+                       std::to_string(spans) + "; expected a multiple of " +
+                       std::to_string(1u << refinement) +
+                       ", 2 to the power of the refinement levels.");
+    if (spans >> refinement < 2 * degree + 2)
+      throw InputError(parameters.where("Mesh/Spans") + ": found " +
+                       std::to_string(spans) + " with " +
+                       std::to_string(refinement) +
+                       " refinement levels; expected at least " +
+                       std::to_string((2 * degree + 2) << refinement) +
+                       ", so that the coarsest level has 2 p + 2 spans.");
+    if (strip >= height)
+      throw InputError(parameters.where("Mesh/Strip depth") + ": found " +
+                       format_quantity(strip, "um") +
+                       "; expected less than the chip height of " +
+                       format_quantity(height, "um") + ".");
+    if (quadrature != 0 && quadrature < fewest_quadrature_points())
+      throw InputError(parameters.where("Mesh/Quadrature points") + ": found " +
+                       std::to_string(quadrature) + " with splines of degree " +
+                       std::to_string(degree) + "; expected at least " +
+                       std::to_string(fewest_quadrature_points()) +
+                       ", or 0 for the usual number, since the chip could "
+                       "move without stress.");
+  }
+
+
+
+  unsigned int
+  MeshParameters::fewest_quadrature_points() const
+  {
+    return std::max(2u, degree);
+  }
+
+
+
+  unsigned int
+  MeshParameters::n_quadrature_points() const
+  {
+    return quadrature > 0 ? quadrature : fewest_quadrature_points();
+  }
+
+
+
+  void
+  ProtocolParameters::check(const ParameterDeclarator &parameters) const
+  {
+    if (window != FrictionWindow::steady)
+      return;
+    if (steady_distance < 2. * steady_step)
+      throw InputError(parameters.where("Protocol/Steady distance") +
+                       ": found " + format_quantity(steady_distance, "um") +
+                       " with a Steady step of " +
+                       format_quantity(steady_step, "um") +
+                       "; expected at least two steps, so that a window has a "
+                       "mean.");
+    if (maximum_distance < 2. * steady_distance)
+      throw InputError(parameters.where("Protocol/Maximum distance") +
+                       ": found " + format_quantity(maximum_distance, "um") +
+                       " with a Steady distance of " +
+                       format_quantity(steady_distance, "um") +
+                       "; expected at least twice as much, since two windows "
+                       "are compared.");
+    if (maximum_distance > largest_number_of_steps * steady_step)
+      throw InputError(parameters.where("Protocol/Steady step") + ": found " +
+                       format_quantity(steady_step, "nm") +
+                       " with a Maximum distance of " +
+                       format_quantity(maximum_distance, "um") +
+                       "; expected at least a millionth of it.");
+  }
+
+
+
+  void
+  SceneParameters::check(const ParameterDeclarator &parameters) const
+  {
+    tool.check(parameters, "Tool");
+    chip.check(parameters, "Chip surface");
+    lubrication.check(parameters);
+    mesh.check(parameters, geometry.height);
+    material.check(parameters);
+    protocol.check(parameters);
+    if (fills_gap(lubrication.model) &&
+        protocol.inertia == Inertia::quasi_static)
+      throw InputError(parameters.where("Protocol/Inertia") +
+                       ": found quasi-static with the lubricant model `" +
+                       name(lubrication.model) +
+                       "`; expected dynamic or automatic, since a chip that "
+                       "floats on oil is held by its mass alone while the flow "
+                       "is solved for.");
+    const auto melting = material.softest_temperature();
+    if (melting && load.temperature >= *melting)
+      throw InputError(
+        parameters.where("Load/Temperature") + ": found " +
+        format_quantity(load.temperature, "degC") +
+        ", at which the chip has no strength; expected less than " +
+        format_quantity(*melting, "degC", 6) +
+        ", near the melting temperature of " +
+        format_quantity(material.johnson_cook.melting_temperature, "degC") +
+        " (Material/Johnson-Cook/Melting temperature).");
+    if (chip.kind == SurfaceKind::harmonics &&
+        mesh.spans < elements_per_wave * chip.highest_wave_number())
+      throw InputError(
+        parameters.where("Mesh/Spans") + ": found " +
+        std::to_string(mesh.spans) + " for a chip of up to " +
+        std::to_string(chip.highest_wave_number()) +
+        " waves in a period; expected at least " +
+        std::to_string(elements_per_wave * chip.highest_wave_number()) +
+        ", so that the mesh follows them.");
+  }
+} // namespace asperity
