@@ -38,9 +38,8 @@ namespace asperity
 
   namespace
   {
-    /** Bezier elements that the memory of a workstation holds with the factors
-     *  of their tangent. */
-    constexpr double largest_mesh = 1e6;
+    /** Bezier elements whose tables, tangent and factors take about 2 GB. */
+    constexpr double largest_mesh = 1e5;
 
     /** Upper bound of the number of elements: each row is as fine as its upper
      *  edge. */
