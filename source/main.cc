@@ -1,19 +1,21 @@
+// What `asperity` does by itself: it lists the commands, and answers from a
+// trained friction law. All else it leaves to the program asperity_scenes
+// beside it, since the two hundred libraries that deal.II brings along take a
+// third of a second to load.
+
 #include <asperity/base/environment.h>
 #include <asperity/base/errors.h>
-#include <asperity/base/parameters.h>
+#include <asperity/base/exit_status.h>
 #include <asperity/base/text.h>
 #include <asperity/base/version.h>
-#include <asperity/campaign/commands.h>
-#include <asperity/contact_zone/commands.h>
 #include <asperity/law_export/commands.h>
-#include <asperity/topography/commands.h>
 
-#include <deal.II/base/exceptions.h>
-#include <deal.II/base/mpi.h>
-#include <deal.II/base/parameter_handler.h>
+#include <unistd.h>
 
 #include <algorithm>
-#include <functional>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <string>
@@ -24,21 +26,11 @@ namespace
   using namespace asperity;
   using Arguments = std::vector<std::string>;
 
-  // exit statuses; 0 is success
-  constexpr int computation_failed = 1;
-  constexpr int input_is_wrong     = 2;
-
-  bool
-  is_first_rank()
-  {
-    return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-  }
-
   struct Command
   {
-    std::string                           usage;
-    std::string                           sentence;
-    std::function<int(const Arguments &)> run;
+    std::string usage;
+    std::string sentence;
+    int (*run)(const Arguments &); ///< null: asperity_scenes does it
 
     std::string
     name() const
@@ -47,80 +39,25 @@ namespace
     }
   };
 
-  /** A command whose only argument is a parameter file. */
-  std::function<int(const Arguments &)>
-  on_file(int (*function)(const std::string &))
-  {
-    return [function](const Arguments &arguments) {
-      if (arguments.size() != 2)
-        throw InputError("'asperity " + arguments[0] +
-                         "' takes one parameter file, as in 'asperity " +
-                         arguments[0] + " scene.prm'.");
-      return function(arguments[1]);
-    };
-  }
-
-  int
-  run_file(const std::string &file)
-  {
-    if (describes_campaign(file))
-      throw InputError(file + " describes a campaign; 'asperity characterize " +
-                       file + "' runs it.");
-    return run_scene(file);
-  }
-
-  int
-  check_file(const std::string &file)
-  {
-    return describes_campaign(file) ? check_campaign(file) : check_scene(file);
-  }
-
-  int
-  print_parameters(const Arguments &arguments)
-  {
-    bool markdown = false, campaign = false;
-    for (std::size_t i = 1; i < arguments.size(); ++i)
-      if (arguments[i] == "--markdown")
-        markdown = true;
-      else if (arguments[i] == "--campaign")
-        campaign = true;
-      else
-        throw InputError("'asperity parameters' takes no argument but "
-                         "'--campaign' and '--markdown'.");
-    dealii::ParameterHandler handler;
-    ParameterDeclarator      parameters(handler);
-    if (campaign)
-      declare_campaign_parameters(parameters);
-    else
-      declare_all_parameters(parameters);
-    if (!is_first_rank())
-      return 0;
-    if (markdown)
-      parameters.write_markdown(std::cout);
-    else
-      parameters.write_prm(std::cout);
-    return 0;
-  }
-
   const std::vector<Command> &
   commands()
   {
     static const std::vector<Command> table = {
       {"run FILE.prm",
        "run the scene; 'asperity FILE.prm' is the same",
-       on_file(run_file)},
+       nullptr},
       {"check FILE.prm",
        "validate the input, print audit, models and size; run nothing",
-       on_file(check_file)},
+       nullptr},
       {"parameters [--campaign] [--markdown]",
        "explain every parameter",
-       print_parameters},
+       nullptr},
       {"topography FILE.prm",
        "read, filter, measure and fit a surface",
-       on_file(topography_report)},
+       nullptr},
       {"characterize FILE.prm",
        "run or resume a campaign, train the friction law",
-       on_file(characterize)},
+       nullptr},
       {"predict LAW -p P -v V -T T",
        "friction coefficient of a trained law, with its certainty",
        predict_friction},
@@ -168,8 +105,24 @@ namespace
                  "'asperity --help' lists the commands."));
   }
 
+  /** Becomes the program asperity_scenes, with the same arguments. */
+  [[noreturn]] void
+  become_scenes(char **const argv)
+  {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    const fs::path  program =
+      fs::read_symlink("/proc/self/exe", error).parent_path() /
+      "asperity_scenes";
+    std::cout.flush();
+    execv(program.c_str(), argv);
+    throw ComputationError("The program " + program.string() +
+                           " cannot be started (" + std::strerror(errno) +
+                           "); it is built and kept together with this one.");
+  }
+
   int
-  dispatch(const Arguments &arguments)
+  dispatch(const Arguments &arguments, char **const argv)
   {
     if (arguments.empty())
       throw InputError("No parameter file is given; 'asperity --help' lists "
@@ -178,54 +131,36 @@ namespace
     if (word == "--help" || word == "-h" || word == "--version")
       {
         if (!is_first_rank())
-          return 0;
+          return success;
         if (word == "--version")
           std::cout << version_line() << '\n';
         else
           print_help();
-        return 0;
+        return success;
       }
     for (const Command &command : commands())
       if (command.name() == word)
-        return command.run(arguments);
+        {
+          if (command.run == nullptr)
+            become_scenes(argv);
+          return command.run(arguments);
+        }
     if (!is_parameter_file(word))
       refuse_command(word);
     if (arguments.size() > 1)
       throw InputError("One parameter file is expected, but '" + arguments[1] +
                        "' follows '" + word + "'.");
-    return run_file(word);
+    become_scenes(argv);
   }
 
-  /**
-   * What the ranks do with an error. All ranks read the same input, so all of
-   * them find what is wrong with it, and one of them says it. A computation may
-   * fail on one rank while the others wait for it: then MPI has to end them.
-   */
+  /** All ranks find the same error; the first one says it. */
   int
-  report(const int status, const std::string &message)
+  report(const ExitStatus status, const std::string &message)
   {
-    const bool alone =
-      dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1;
     std::cout.flush();
-    if (is_first_rank() || status != input_is_wrong)
+    if (is_first_rank())
       std::cerr << "Error: " << message << std::endl;
-    if (!alone && status != input_is_wrong)
-      MPI_Abort(MPI_COMM_WORLD, status);
     return status;
-  }
-
-  /** What deal.II says, in one line and without its stack trace. */
-  std::string
-  one_line(const dealii::ExceptionBase &error)
-  {
-    std::ostringstream out;
-    error.print_info(out);
-    std::string text = out.str();
-    for (char &c : text)
-      if (c == '\n')
-        c = ' ';
-    return "The computation was stopped by deal.II: " + trim(text) + " (" +
-           error.get_exc_name() + ")";
   }
 } // namespace
 
@@ -233,23 +168,13 @@ int
 main(int argc, char **argv)
 {
   use_one_thread_per_rank();
-  dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
-  const MpiSession mpi(argc, argv);
   try
     {
-      return dispatch(Arguments(argv + 1, argv + argc));
+      return dispatch(Arguments(argv + 1, argv + argc), argv);
     }
   catch (const InputError &error)
     {
       return report(input_is_wrong, error.what());
-    }
-  catch (const ComputationError &error)
-    {
-      return report(computation_failed, error.what());
-    }
-  catch (const dealii::ExceptionBase &error)
-    {
-      return report(computation_failed, one_line(error));
     }
   catch (const std::bad_alloc &)
     {

@@ -1,4 +1,5 @@
 #include <asperity/base/environment.h>
+#include <asperity/base/mpi_session.h>
 
 #include <gtest/gtest.h>
 

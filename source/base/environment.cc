@@ -1,13 +1,10 @@
 #include <asperity/base/environment.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <dlfcn.h>
 
-#include <algorithm>
 #include <cstdlib>
-#include <utility>
-#include <vector>
+#include <cstring>
+#include <initializer_list>
 
 namespace asperity
 {
@@ -36,46 +33,33 @@ namespace asperity
 
   namespace
   {
-    bool
-    is_set(const char *const variable)
+    /** The rank that a starter of MPI programs has given to this process; null
+     *  without one. */
+    const char *
+    rank_by_environment()
     {
-      return std::getenv(variable) != nullptr;
-    }
-
-    /** Starters of MPI programs tell each process of its rank. */
-    bool
-    is_one_of_several_ranks()
-    {
-      const auto variables = {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"};
-      return std::any_of(variables.begin(), variables.end(), is_set);
+      for (const char *const variable :
+           {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"})
+        if (const char *const rank = std::getenv(variable))
+          return rank;
+      return nullptr;
     }
   } // namespace
 
 
 
-  MpiSession::MpiSession(int &argc, char **&argv)
+  bool
+  is_started_by_mpirun()
   {
-    const std::vector<std::pair<const char *, const char *>> settings = {
-      {"OMPI_MCA_ess_singleton_isolated", "1"}, // no daemon
-      // Lone processes would share a directory and remove it for each other.
-      {"OMPI_MCA_orte_create_session_dirs", "0"},
-      {"OMPI_MCA_pml", "ob1"},
-      {"OMPI_MCA_btl", "self"}}; // messages to oneself only
-    std::vector<const char *> set_here;
-    if (!is_one_of_several_ranks())
-      for (const auto &[variable, value] : settings)
-        if (!is_set(variable))
-          {
-            setenv(variable, value, 0);
-            set_here.push_back(variable);
-          }
-    mpi =
-      std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(argc, argv, 1);
-    for (const char *const variable : set_here)
-      unsetenv(variable);
+    return rank_by_environment() != nullptr;
   }
 
 
 
-  MpiSession::~MpiSession() = default;
+  bool
+  is_first_rank()
+  {
+    const char *const rank = rank_by_environment();
+    return rank == nullptr || std::strcmp(rank, "0") == 0;
+  }
 } // namespace asperity

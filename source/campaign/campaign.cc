@@ -1,5 +1,7 @@
 #include <asperity/base/atomic_file.h>
+#include <asperity/base/environment.h>
 #include <asperity/base/errors.h>
+#include <asperity/base/mpi_session.h>
 #include <asperity/campaign/campaign.h>
 #include <asperity/campaign/task_counter.h>
 #include <asperity/surrogate/active_learning.h>
@@ -20,10 +22,11 @@ namespace asperity
     : parameters(parameters)
     , communicator(communicator)
     , runner(runner)
-    , is_first(dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+    , is_first(is_first_rank())
     , plan_(parameters, declarator)
     , results_(parameters, plan_)
   {
+    MpiSession::start();
     lock_folder();
     const std::string path = parameters.directory + "/plan.json";
     plan_.start(parameters, path);

@@ -1,3 +1,4 @@
+#include <asperity/base/environment.h>
 #include <asperity/base/parameter_file.h>
 #include <asperity/base/version.h>
 #include <asperity/campaign/campaign_report.h>
@@ -41,14 +42,12 @@ namespace asperity
     const CampaignInput       input(file);
     const CampaignParameters &parameters = input.parameters;
 
-    Campaign   campaign(parameters, input.declarator, MPI_COMM_WORLD);
-    const bool is_first =
-      dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-    if (is_first)
+    Campaign campaign(parameters, input.declarator, MPI_COMM_WORLD);
+    if (is_first_rank())
       std::cout << version_line() << "\n"
                 << campaign.description() << std::flush;
     campaign.run();
-    if (is_first)
+    if (is_first_rank())
       report_campaign(parameters, campaign, timer.wall_time(), std::cout);
     return 0;
   }
@@ -62,7 +61,7 @@ namespace asperity
     const CampaignParameters &parameters = input.parameters;
     CampaignPlan              plan(parameters, input.declarator);
     plan.start(parameters, parameters.directory + "/plan.json");
-    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+    if (!is_first_rank())
       return 0;
     std::cout << plan.description(parameters);
     check_scene(parameters.base_scene);

@@ -1,3 +1,4 @@
+#include <asperity/base/mpi_session.h>
 #include <asperity/campaign/task_counter.h>
 
 #include <exception>
@@ -6,6 +7,7 @@ namespace asperity
 {
   TaskCounter::TaskCounter(const MPI_Comm communicator)
   {
+    MpiSession::start();
     int rank = 0;
     MPI_Comm_rank(communicator, &rank);
     MPI_Win_allocate(rank == 0 ? sizeof(unsigned long) : 0,

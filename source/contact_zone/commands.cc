@@ -1,4 +1,6 @@
+#include <asperity/base/environment.h>
 #include <asperity/base/errors.h>
+#include <asperity/base/mpi_session.h>
 #include <asperity/base/progress.h>
 #include <asperity/base/version.h>
 #include <asperity/contact_zone/commands.h>
@@ -6,7 +8,6 @@
 #include <asperity/contact_zone/scene_input.h>
 #include <asperity/contact_zone/scene_output.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/timer.h>
 
@@ -161,10 +162,9 @@ namespace asperity
   run_scene(const std::string &file)
   {
     // A scene is solved by one rank; others would write the same files.
-    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+    if (!is_first_rank())
       return 0;
-    const unsigned int n_ranks =
-      dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+    const unsigned int n_ranks = MpiSession::n_ranks();
     if (n_ranks > 1)
       std::cout << "A scene runs on one rank; the other " << n_ranks - 1
                 << " stay idle.\n";
@@ -222,7 +222,7 @@ namespace asperity
   int
   check_scene(const std::string &file)
   {
-    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+    if (!is_first_rank())
       return 0;
     SceneInput         input(file);
     const AuditedScene audited(input.parameters);

@@ -1,12 +1,11 @@
 #include <asperity/base/command_options.h>
+#include <asperity/base/environment.h>
 #include <asperity/base/errors.h>
 #include <asperity/base/quantity.h>
 #include <asperity/base/text.h>
 #include <asperity/law_export/commands.h>
 #include <asperity/law_export/export_law.h>
 #include <asperity/surrogate/power_law.h>
-
-#include <deal.II/base/mpi.h>
 
 #include <cmath>
 #include <iostream>
@@ -19,12 +18,6 @@ namespace asperity
 {
   namespace
   {
-    bool
-    is_first_rank()
-    {
-      return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-    }
-
     std::string
     in_unit(const double value, const LawInput &input)
     {

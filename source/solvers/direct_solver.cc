@@ -1,4 +1,5 @@
 #include <asperity/base/errors.h>
+#include <asperity/base/mpi_session.h>
 #include <asperity/solvers/direct_solver.h>
 
 #include <deal.II/lac/trilinos_solver.h>
@@ -283,6 +284,11 @@ namespace asperity
     class Mumps : public DirectSolver
     {
     public:
+      Mumps()
+      {
+        MpiSession::start();
+      }
+
       void
       reset() override
       {}

@@ -1,3 +1,4 @@
+#include <asperity/base/mpi_session.h>
 #include <asperity/solvers/saddle_point_krylov.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
@@ -111,7 +112,9 @@ namespace asperity
     : options(options)
     , modes(components)
     , n_first(components.front().size())
-  {}
+  {
+    MpiSession::start(); // for Trilinos
+  }
 
 
 

@@ -1,4 +1,6 @@
 #include <asperity/base/environment.h>
+#include <asperity/base/errors.h>
+#include <asperity/base/mpi_session.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -7,6 +9,33 @@
 #include <cstdlib>
 
 using namespace asperity;
+
+namespace
+{
+  bool
+  mpi_runs()
+  {
+    int started = 0;
+    MPI_Initialized(&started);
+    return started != 0;
+  }
+} // namespace
+
+
+
+TEST(Environment, knows_the_rank_that_mpirun_has_given)
+{
+  EXPECT_FALSE(is_started_by_mpirun());
+  EXPECT_TRUE(is_first_rank());
+  setenv("OMPI_COMM_WORLD_RANK", "0", 1);
+  EXPECT_TRUE(is_started_by_mpirun());
+  EXPECT_TRUE(is_first_rank());
+  setenv("OMPI_COMM_WORLD_RANK", "10", 1);
+  EXPECT_FALSE(is_first_rank());
+  unsetenv("OMPI_COMM_WORLD_RANK");
+}
+
+
 
 TEST(MpiSession, takes_its_settings_back_and_keeps_those_of_the_user)
 {
@@ -17,6 +46,11 @@ TEST(MpiSession, takes_its_settings_back_and_keeps_those_of_the_user)
   char **argv        = arguments;
   {
     const MpiSession mpi(argc, argv);
+    EXPECT_FALSE(mpi_runs()) << "nothing has asked for it";
+    EXPECT_EQ(MpiSession::n_ranks(), 1u);
+    MpiSession::start();
+    EXPECT_TRUE(mpi_runs());
+    EXPECT_EQ(MpiSession::n_ranks(), 1u);
     EXPECT_EQ(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD), 1u);
     EXPECT_EQ(std::getenv("OMPI_MCA_ess_singleton_isolated"), nullptr);
     EXPECT_EQ(std::getenv("OMPI_MCA_orte_create_session_dirs"), nullptr);
@@ -24,4 +58,5 @@ TEST(MpiSession, takes_its_settings_back_and_keeps_those_of_the_user)
     EXPECT_STREQ(std::getenv("OMPI_MCA_pml"), "ob1");
   }
   unsetenv("OMPI_MCA_pml");
+  EXPECT_THROW(MpiSession::start(), ComputationError) << "no session";
 }

@@ -4,6 +4,7 @@
 // tools/benchmarks/contact_charts.py draws them.
 
 #include <asperity/base/environment.h>
+#include <asperity/base/mpi_session.h>
 #include <asperity/solvers/direct_solver.h>
 
 #include <contact/contact_examples.h>

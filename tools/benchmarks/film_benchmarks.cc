@@ -2,6 +2,7 @@
 // Usage: film_benchmarks FOLDER; writes FOLDER/film_*.csv and prints them.
 
 #include <asperity/base/environment.h>
+#include <asperity/base/mpi_session.h>
 #include <asperity/lubricant/film_walls.h>
 
 #include <cmath>

@@ -8,6 +8,7 @@
  */
 
 #include <asperity/base/environment.h>
+#include <asperity/base/mpi_session.h>
 
 #include <deal.II/base/timer.h>
 

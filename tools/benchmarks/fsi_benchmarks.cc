@@ -18,6 +18,7 @@
 // a pulse in a lined channel, and which schemes bear which ratio of densities.
 
 #include <asperity/base/environment.h>
+#include <asperity/base/mpi_session.h>
 
 #include <deal.II/base/timer.h>
 

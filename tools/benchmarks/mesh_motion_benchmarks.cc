@@ -5,6 +5,7 @@
 // and the tables of README.md to the screen; mesh_motion_chart.py draws it.
 
 #include <asperity/base/environment.h>
+#include <asperity/base/mpi_session.h>
 #include <asperity/mesh_motion/column_layout.h>
 #include <asperity/mesh_motion/column_mesh.h>
 #include <asperity/mesh_motion/elastic_mesh_update.h>

@@ -1,13 +1,6 @@
 #ifndef asperity_base_environment_h
 #define asperity_base_environment_h
 
-#include <memory>
-
-namespace dealii::Utilities::MPI
-{
-  class MPI_InitFinalize;
-}
-
 namespace asperity
 {
   /**
@@ -19,21 +12,15 @@ namespace asperity
   void
   use_one_thread_per_rank();
 
-  /**
-   * MPI for the life of this object, with one thread a rank. A process that no
-   * mpirun has started needs neither the daemon that Open MPI would start for
-   * it nor a network; without them it is ready in half the time. What the user
-   * has set stays as it is, and child processes see nothing of this.
-   */
-  class MpiSession
-  {
-  public:
-    MpiSession(int &argc, char **&argv);
-    ~MpiSession();
+  /** True if a starter of MPI programs (mpirun, srun) has started this
+   *  process, which it tells by variables of the environment. */
+  bool
+  is_started_by_mpirun();
 
-  private:
-    std::unique_ptr<dealii::Utilities::MPI::MPI_InitFinalize> mpi;
-  };
+  /** True for a process that no mpirun has started, and for the first rank of
+   *  those that it has. Does not need MPI. */
+  bool
+  is_first_rank();
 } // namespace asperity
 
 #endif

@@ -1,0 +1,94 @@
+#include <asperity/base/environment.h>
+#include <asperity/base/errors.h>
+#include <asperity/base/mpi_session.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cstdlib>
+#include <utility>
+#include <vector>
+
+namespace asperity
+{
+  namespace
+  {
+    MpiSession *session = nullptr;
+
+    /** Variables of Open MPI for the life of this object, where they are not
+     *  set. */
+    class SettingsOfLoneProcess
+    {
+    public:
+      SettingsOfLoneProcess()
+      {
+        const std::vector<std::pair<const char *, const char *>> settings = {
+          {"OMPI_MCA_ess_singleton_isolated", "1"}, // no daemon
+          // Lone processes would share a directory and remove it for each
+          // other.
+          {"OMPI_MCA_orte_create_session_dirs", "0"},
+          {"OMPI_MCA_pml", "ob1"},
+          {"OMPI_MCA_btl", "self"}}; // messages to oneself only
+        for (const auto &[variable, value] : settings)
+          if (std::getenv(variable) == nullptr)
+            {
+              setenv(variable, value, 0);
+              set_here.push_back(variable);
+            }
+      }
+
+      ~SettingsOfLoneProcess()
+      {
+        for (const char *const variable : set_here)
+          unsetenv(variable);
+      }
+
+    private:
+      std::vector<const char *> set_here;
+    };
+  } // namespace
+
+
+
+  MpiSession::MpiSession(int &argc, char **&argv)
+    : argc(argc)
+    , argv(argv)
+  {
+    session = this;
+    if (is_started_by_mpirun())
+      start();
+  }
+
+
+
+  MpiSession::~MpiSession()
+  {
+    session = nullptr;
+  }
+
+
+
+  void
+  MpiSession::start()
+  {
+    using dealii::Utilities::MPI::MPI_InitFinalize;
+    if (session == nullptr)
+      throw ComputationError("MPI is needed, but main() has made no session.");
+    if (session->mpi)
+      return;
+    std::unique_ptr<SettingsOfLoneProcess> settings;
+    if (!is_started_by_mpirun())
+      settings = std::make_unique<SettingsOfLoneProcess>();
+    session->mpi =
+      std::make_unique<MPI_InitFinalize>(session->argc, session->argv, 1);
+  }
+
+
+
+  unsigned int
+  MpiSession::n_ranks()
+  {
+    return session != nullptr && session->mpi ?
+             dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) :
+             1;
+  }
+} // namespace asperity

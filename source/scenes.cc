@@ -1,0 +1,164 @@
+// The commands of `asperity` that rest on deal.II, for scenes, surfaces and
+// campaigns. Users call asperity, which becomes this program when it needs it.
+
+#include <asperity/base/environment.h>
+#include <asperity/base/errors.h>
+#include <asperity/base/exit_status.h>
+#include <asperity/base/mpi_session.h>
+#include <asperity/base/parameters.h>
+#include <asperity/base/text.h>
+#include <asperity/campaign/commands.h>
+#include <asperity/contact_zone/commands.h>
+#include <asperity/topography/commands.h>
+
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/parameter_handler.h>
+
+#include <functional>
+#include <iostream>
+#include <map>
+#include <new>
+#include <string>
+#include <vector>
+
+namespace
+{
+  using namespace asperity;
+  using Arguments = std::vector<std::string>;
+
+  /** A command whose only argument is a parameter file. */
+  std::function<int(const Arguments &)>
+  on_file(int (*function)(const std::string &))
+  {
+    return [function](const Arguments &arguments) {
+      if (arguments.size() != 2)
+        throw InputError("'asperity " + arguments[0] +
+                         "' takes one parameter file, as in 'asperity " +
+                         arguments[0] + " scene.prm'.");
+      return function(arguments[1]);
+    };
+  }
+
+  int
+  run_file(const std::string &file)
+  {
+    if (describes_campaign(file))
+      throw InputError(file + " describes a campaign; 'asperity characterize " +
+                       file + "' runs it.");
+    return run_scene(file);
+  }
+
+  int
+  check_file(const std::string &file)
+  {
+    return describes_campaign(file) ? check_campaign(file) : check_scene(file);
+  }
+
+  int
+  print_parameters(const Arguments &arguments)
+  {
+    bool markdown = false, campaign = false;
+    for (std::size_t i = 1; i < arguments.size(); ++i)
+      if (arguments[i] == "--markdown")
+        markdown = true;
+      else if (arguments[i] == "--campaign")
+        campaign = true;
+      else
+        throw InputError("'asperity parameters' takes no argument but "
+                         "'--campaign' and '--markdown'.");
+    dealii::ParameterHandler handler;
+    ParameterDeclarator      parameters(handler);
+    if (campaign)
+      declare_campaign_parameters(parameters);
+    else
+      declare_all_parameters(parameters);
+    if (!is_first_rank())
+      return success;
+    if (markdown)
+      parameters.write_markdown(std::cout);
+    else
+      parameters.write_prm(std::cout);
+    return success;
+  }
+
+  /** asperity has checked that there is a command. */
+  int
+  dispatch(const Arguments &arguments)
+  {
+    static const std::map<std::string, std::function<int(const Arguments &)>>
+      commands = {{"run", on_file(run_file)},
+                  {"check", on_file(check_file)},
+                  {"parameters", print_parameters},
+                  {"topography", on_file(topography_report)},
+                  {"characterize", on_file(characterize)}};
+    if (arguments.empty())
+      throw InputError("This program is a part of asperity; please call that.");
+    const auto command = commands.find(arguments[0]);
+    return command == commands.end() ? run_file(arguments[0]) :
+                                       command->second(arguments);
+  }
+
+  /**
+   * What the ranks do with an error. All ranks read the same input, so all of
+   * them find what is wrong with it, and one of them says it. A computation may
+   * fail on one rank while the others wait for it: then MPI has to end them.
+   */
+  int
+  report(const ExitStatus status, const std::string &message)
+  {
+    const bool alone = MpiSession::n_ranks() == 1;
+    std::cout.flush();
+    if (is_first_rank() || status != input_is_wrong)
+      std::cerr << "Error: " << message << std::endl;
+    if (!alone && status != input_is_wrong)
+      MPI_Abort(MPI_COMM_WORLD, status);
+    return status;
+  }
+
+  /** What deal.II says, in one line and without its stack trace. */
+  std::string
+  one_line(const dealii::ExceptionBase &error)
+  {
+    std::ostringstream out;
+    error.print_info(out);
+    std::string text = out.str();
+    for (char &c : text)
+      if (c == '\n')
+        c = ' ';
+    return "The computation was stopped by deal.II: " + trim(text) + " (" +
+           error.get_exc_name() + ")";
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  use_one_thread_per_rank();
+  dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
+  const MpiSession mpi(argc, argv);
+  try
+    {
+      return dispatch(Arguments(argv + 1, argv + argc));
+    }
+  catch (const InputError &error)
+    {
+      return report(input_is_wrong, error.what());
+    }
+  catch (const ComputationError &error)
+    {
+      return report(computation_failed, error.what());
+    }
+  catch (const dealii::ExceptionBase &error)
+    {
+      return report(computation_failed, one_line(error));
+    }
+  catch (const std::bad_alloc &)
+    {
+      return report(computation_failed, "There is not enough memory.");
+    }
+  catch (const std::exception &error)
+    {
+      return report(computation_failed, error.what());
+    }
+}
