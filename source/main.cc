@@ -153,13 +153,17 @@ namespace
     become_scenes(argv);
   }
 
-  /** All ranks find the same error; the first one says it. */
+  /**
+   * All ranks find the same error. The first one says it; if another one ended
+   * with a status of its own, mpirun might end the first one before that.
+   */
   int
   report(const ExitStatus status, const std::string &message)
   {
     std::cout.flush();
-    if (is_first_rank())
-      std::cerr << "Error: " << message << std::endl;
+    if (!is_first_rank())
+      return success;
+    std::cerr << "Error: " << message << std::endl;
     return status;
   }
 } // namespace
