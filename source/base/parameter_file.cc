@@ -2,6 +2,8 @@
 #include <asperity/base/parameter_file.h>
 #include <asperity/base/text.h>
 
+#include <cctype>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -13,6 +15,23 @@ namespace asperity
   {
     namespace fs = std::filesystem;
 
+    constexpr std::uintmax_t largest_file    = 1 << 24; // bytes
+    constexpr std::size_t    deepest_include = 50;
+
+    /**
+     * The line without its comment. A '#' begins one at the start of a line and
+     * after a blank; elsewhere it belongs to a word, as in a folder's name.
+     */
+    std::string
+    without_comment(const std::string &line)
+    {
+      for (std::size_t at = line.find('#'); at != std::string::npos;
+           at             = line.find('#', at + 1))
+        if (at == 0 || std::isspace(static_cast<unsigned char>(line[at - 1])))
+          return line.substr(0, at);
+      return line;
+    }
+
     class Reader
     {
     public:
@@ -23,9 +42,24 @@ namespace asperity
       read_file(const std::string &file_name, const std::string &includer)
       {
         const std::string prefix = includer.empty() ? "" : includer + ": ";
-        if (fs::is_directory(file_name))
+        std::error_code   error;
+        if (fs::is_directory(file_name, error))
           throw InputError(prefix + "The parameter file '" + file_name +
                            "' is a folder.");
+        if (fs::exists(file_name, error) &&
+            !fs::is_regular_file(file_name, error))
+          throw InputError(prefix + "The parameter file '" + file_name +
+                           "' is a device or a pipe; a file is expected.");
+        if (!error && fs::file_size(file_name, error) > largest_file && !error)
+          throw InputError(prefix + "The file '" + file_name +
+                           "' is too large for a parameter file; at most " +
+                           std::to_string(largest_file >> 20) +
+                           " MB are expected.");
+        if (open_files.size() == deepest_include)
+          throw InputError(prefix + "The file '" + file_name +
+                           "' is included by " +
+                           std::to_string(deepest_include) +
+                           " files inside of each other; fewer are expected.");
         std::ifstream input(file_name);
         if (!input)
           throw InputError(prefix + "The parameter file '" + file_name +
@@ -50,7 +84,13 @@ namespace asperity
             ++file.line;
             if (joined.empty())
               file.first_line = file.line;
-            line               = trim(line.substr(0, line.find('#')));
+            if (file.line == 1)
+              skip_byte_order_mark(line, name);
+            if (line.find('\0') != std::string::npos)
+              throw InputError(file.origin() +
+                               ": There are bytes that are no text; a "
+                               "parameter file is expected.");
+            line               = trim(without_comment(line));
             const bool goes_on = !line.empty() && line.back() == '\\';
             if (goes_on)
               line.pop_back();
@@ -69,6 +109,19 @@ namespace asperity
       }
 
     private:
+      /** Editors of Windows begin a text with a mark that one cannot see. */
+      static void
+      skip_byte_order_mark(std::string &line, const std::string &name)
+      {
+        const std::string utf8 = "\xEF\xBB\xBF";
+        if (line.compare(0, 2, "\xFF\xFE") == 0 ||
+            line.compare(0, 2, "\xFE\xFF") == 0)
+          throw InputError(name + ": The text is in UTF-16; UTF-8 is expected "
+                                  "(an editor's 'save as' offers it).");
+        if (line.compare(0, utf8.size(), utf8) == 0)
+          line.erase(0, utf8.size());
+      }
+
       struct File
       {
         std::string                         name;
@@ -109,8 +162,10 @@ namespace asperity
         else if (word == "include" || word == "INCLUDE")
           include(rest, file);
         else
-          throw InputError(file.origin() + ": '" + line +
-                           "' is not understood; a line is 'subsection NAME', "
+          // Without its words: who names a wrong file need not see into it.
+          throw InputError(file.origin() +
+                           ": The line is not understood; it should be "
+                           "'subsection NAME', "
                            "'set KEY = VALUE', 'end', 'include FILE' or a "
                            "comment after '#'.");
       }
@@ -120,8 +175,8 @@ namespace asperity
       {
         const std::size_t equals = assignment.find('=');
         if (equals == std::string::npos)
-          throw InputError(file.origin() + ": 'set " + assignment +
-                           "' has no '=' between entry and value.");
+          throw InputError(file.origin() +
+                           ": This 'set' has no '=' between entry and value.");
         ParameterLine line;
         line.subsections = file.subsections;
         line.key         = trim(assignment.substr(0, equals));

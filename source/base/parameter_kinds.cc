@@ -2,6 +2,7 @@
 #include <asperity/base/parameters.h>
 #include <asperity/base/text.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -37,7 +38,7 @@ namespace asperity
              const std::string &unit)
     {
       if (!range.contains(value))
-        throw InputError("'" + text + "' is out of range; " +
+        throw InputError(quoted(text) + " is out of range; " +
                          range.description(unit) + " is expected");
       return value;
     }
@@ -68,11 +69,11 @@ namespace asperity
           value = 0.5; // falls through to the one message of this function
         }
       if (value != std::floor(value) || std::abs(value) > 4294967295.)
-        throw InputError("'" + text +
-                         "' is not a whole number; a whole number" + expected +
+        throw InputError(quoted(text) +
+                         " is not a whole number; a whole number" + expected +
                          " is expected");
       if (value < 0 || !range.contains(value))
-        throw InputError("'" + text + "' is out of range; a whole number" +
+        throw InputError(quoted(text) + " is out of range; a whole number" +
                          (expected.empty() ? ", 0 or more," : expected) +
                          " is expected");
       return static_cast<unsigned int>(value);
@@ -85,6 +86,36 @@ namespace asperity
       return dimension == Dimension::none ? "number" : to_string(dimension);
     }
 
+    bool
+    has_unit(const std::string &item)
+    {
+      return item.find_first_not_of("+-.0123456789eE") != std::string::npos;
+    }
+
+    /**
+     * "0,16 um" is not 0 and 16 um: where an item has no unit of its own, a
+     * comma between two digits may be a decimal comma.
+     */
+    void
+    refuse_decimal_commas(const std::string              &text,
+                          const std::vector<std::string> &items,
+                          const std::string              &unit)
+    {
+      if (dimension_of(unit) == Dimension::none ||
+          std::all_of(items.begin(), items.end(), has_unit))
+        return;
+      const auto is_digit = [&text](const std::size_t at) {
+        return at < text.size() && text[at] >= '0' && text[at] <= '9';
+      };
+      for (std::size_t at = text.find(',', 1); at != std::string::npos;
+           at             = text.find(',', at + 1))
+        if (is_digit(at - 1) && is_digit(at + 1))
+          throw InputError(quoted(text) +
+                           " has a comma between two digits; decimals take a "
+                                       "point, and a comma between two numbers is followed "
+                                       "by a blank");
+    }
+
     /** Items without a unit take that of the last item. */
     std::vector<double>
     parse_list(const std::string &text,
@@ -95,18 +126,15 @@ namespace asperity
       const std::vector<std::string> items = split(text, ',');
       if (items.empty())
         return values;
+      refuse_decimal_commas(text, items, unit);
       const std::size_t begin_of_unit =
         items.back().find_first_not_of("+-.0123456789eE");
       const std::string shared_unit = begin_of_unit == std::string::npos ?
                                         "" :
                                         items.back().substr(begin_of_unit);
       for (const std::string &item : items)
-        {
-          const bool has_unit =
-            item.find_first_not_of("+-.0123456789eE") != std::string::npos;
-          values.push_back(parse_in_range(
-            has_unit ? item : item + " " + shared_unit, range, unit));
-        }
+        values.push_back(parse_in_range(
+          has_unit(item) ? item : item + " " + shared_unit, range, unit));
       return values;
     }
 
@@ -298,7 +326,7 @@ namespace asperity
       new_entry(key, "flag", "true, false", sentence, Need::optional);
     entry.assign = [&variable](const std::string &text) {
       if (text != "true" && text != "false")
-        throw InputError("'" + text + "' is neither 'true' nor 'false'");
+        throw InputError(quoted(text) + " is neither 'true' nor 'false'");
       variable = (text == "true");
     };
     declare(std::move(entry), variable ? "true" : "false");
@@ -319,7 +347,7 @@ namespace asperity
       for (std::size_t i = 0; i < names.size(); ++i)
         if (names[i] == text)
           return assign(i);
-      throw InputError("'" + text + "' is not a choice; one of " +
+      throw InputError(quoted(text) + " is not a choice; one of " +
                        join(names, ", ") + " is expected");
     };
     declare(std::move(entry), default_name);
@@ -354,8 +382,8 @@ namespace asperity
         throw InputError("no file is named");
       if (!text.empty() &&
           (std::filesystem::is_directory(text) || !std::ifstream(text).good()))
-        throw InputError("the file '" + text +
-                         "' does not exist or cannot be read");
+        throw InputError("the file " + quoted(text) +
+                         " does not exist or cannot be read");
       variable = text;
     };
     declare(std::move(entry), variable);

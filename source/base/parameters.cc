@@ -12,6 +12,12 @@
 
 namespace asperity
 {
+  namespace
+  {
+    // Longer keys are nobody's misspelling of an entry.
+    constexpr std::size_t longest_name = 200;
+  } // namespace
+
   std::string
   ParameterEntry::path() const
   {
@@ -117,23 +123,24 @@ namespace asperity
     // and a misspelt one are both found.
     const ParameterEntry *nearest          = nullptr;
     unsigned int          nearest_distance = 0;
-    for (const ParameterEntry &entry : declared)
-      {
-        const unsigned int distance =
-          100 * edit_distance(entry.key, key) +
-          std::min(99u, edit_distance(entry.subsection, section));
-        if (nearest == nullptr || distance < nearest_distance)
-          {
-            nearest          = &entry;
-            nearest_distance = distance;
-          }
-      }
+    if (key.size() <= longest_name && section.size() <= longest_name)
+      for (const ParameterEntry &entry : declared)
+        {
+          const unsigned int distance =
+            100 * edit_distance(entry.key, key) +
+            std::min(99u, edit_distance(entry.subsection, section));
+          if (nearest == nullptr || distance < nearest_distance)
+            {
+              nearest          = &entry;
+              nearest_distance = distance;
+            }
+        }
     const auto place = [](const std::string &name) {
       return name.empty() ? std::string("at the top level") :
-                            "in subsection '" + name + "'";
+                            "in subsection " + quoted(name);
     };
     std::string message =
-      origin + "There is no entry '" + key + "' " + place(section) + "; ";
+      origin + "There is no entry " + quoted(key) + " " + place(section) + "; ";
     if (nearest != nullptr &&
         nearest_distance / 100 <= std::max<std::size_t>(2, key.size() / 2))
       message += "did you mean '" + nearest->key + "' " +

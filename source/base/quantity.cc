@@ -178,6 +178,14 @@ namespace asperity
         return 0;
       return result.ptr - text.data();
     }
+
+    /** What follows a number: the digits after a decimal comma? */
+    bool
+    begins_with_decimal_comma(const std::string &text)
+    {
+      return text.size() > 1 && text[0] == ',' && text[1] >= '0' &&
+             text[1] <= '9';
+    }
   } // namespace
 
   std::string
@@ -265,25 +273,28 @@ namespace asperity
     const std::size_t n         = read_number(trimmed, value);
     const std::string unit_name = trim(trimmed.substr(n));
     if (n == 0)
-      throw InputError("'" + trimmed + "' does not start with a number; " +
+      throw InputError(quoted(trimmed) + " does not start with a number; " +
                        expectation(dimension));
     if (unit_name.empty())
       {
         if (dimension == Dimension::none)
           return value;
-        throw InputError("'" + trimmed + "' has no unit; " +
+        throw InputError(quoted(trimmed) + " has no unit; " +
                          expectation(dimension));
       }
     const Unit *unit = find_unit(unit_name);
+    if (begins_with_decimal_comma(unit_name))
+      throw InputError(quoted(trimmed) +
+                       " has a decimal comma; a decimal point is expected");
     if (unit == nullptr)
-      throw InputError("'" + trimmed + "' has the unknown unit '" + unit_name +
-                       "'; " + expectation(dimension));
+      throw InputError(quoted(trimmed) + " has the unknown unit " +
+                       quoted(unit_name) + "; " + expectation(dimension));
     if (unit->dimension != dimension)
-      throw InputError("'" + trimmed + "' is a " + to_string(unit->dimension) +
+      throw InputError(quoted(trimmed) + " is a " + to_string(unit->dimension) +
                        "; " + expectation(dimension));
     const double si = unit->to_si(value);
     if (!std::isfinite(si))
-      throw InputError("'" + trimmed + "' is too large");
+      throw InputError(quoted(trimmed) + " is too large");
     return si;
   }
 
@@ -326,8 +337,11 @@ namespace asperity
     const std::string trimmed = trim(text);
     double            value   = 0;
     const std::size_t n       = read_number(trimmed, value);
+    if (n != 0 && begins_with_decimal_comma(trimmed.substr(n)))
+      throw InputError(quoted(trimmed) +
+                       " has a decimal comma; a decimal point is expected");
     if (n == 0 || n != trimmed.size())
-      throw InputError("'" + trimmed + "' is not a plain number");
+      throw InputError(quoted(trimmed) + " is not a plain number");
     return value;
   }
 

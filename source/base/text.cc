@@ -41,6 +41,22 @@ namespace asperity
     return result;
   }
 
+  std::string
+  quoted(const std::string &text)
+  {
+    constexpr std::size_t most = 60;
+
+    std::string shown = text.size() > most ? text.substr(0, most - 3) : text;
+    // not in the midst of a character of several bytes
+    while (shown.size() < text.size() && !shown.empty() &&
+           (static_cast<unsigned char>(text[shown.size()]) & 0xC0) == 0x80)
+      shown.pop_back();
+    for (char &c : shown)
+      if (std::iscntrl(static_cast<unsigned char>(c)))
+        c = '?';
+    return "'" + shown + (shown.size() < text.size() ? "...'" : "'");
+  }
+
   unsigned int
   edit_distance(const std::string &first, const std::string &second)
   {

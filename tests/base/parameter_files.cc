@@ -120,3 +120,29 @@ TEST_F(ParameterFiles, input_files_are_relative_to_the_file_that_names_them)
   again.parameters.read_file(write("parameters.prm", written.str()));
   EXPECT_TRUE(std::filesystem::equivalent(again.sample.height_map, map));
 }
+
+TEST_F(ParameterFiles, chains_of_includes_end)
+{
+  for (int i = 0; i < 60; ++i)
+    write(std::to_string(i) + ".prm",
+          "include " + std::to_string(i + 1) + ".prm\n");
+  const std::string message = message_of((folder / "0.prm").string());
+  EXPECT_NE(message.find("49.prm, line 1: The file"), std::string::npos)
+    << message;
+  EXPECT_NE(message.find("is included by 50 files inside of each other"),
+            std::string::npos)
+    << message;
+}
+
+TEST_F(ParameterFiles, only_files_of_a_sensible_size_are_read)
+{
+  EXPECT_EQ(message_of("/dev/zero"),
+            "The parameter file '/dev/zero' is a device or a pipe; a file is "
+            "expected.");
+  const std::string large = write("large.prm", "");
+  std::filesystem::resize_file(large, (1 << 24) + 1);
+  EXPECT_EQ(message_of(large),
+            "The file '" + large +
+              "' is too large for a parameter file; at "
+              "most 16 MB are expected.");
+}

@@ -132,14 +132,90 @@ TEST(Parameters, broken_structure_is_refused_with_its_line)
   EXPECT_EQ(Declared().message_of("end\n"),
             "x.prm, line 1: This 'end' closes no subsection.");
   EXPECT_EQ(Declared().message_of("\nset Title wire\n"),
-            "x.prm, line 2: 'set Title wire' has no '=' between entry and "
-            "value.");
+            "x.prm, line 2: This 'set' has no '=' between entry and value.");
   EXPECT_EQ(Declared().message_of("Title = wire"),
-            "x.prm, line 1: 'Title = wire' is not understood; a line is "
+            "x.prm, line 1: The line is not understood; it should be "
             "'subsection NAME', 'set KEY = VALUE', 'end', 'include FILE' or a "
             "comment after '#'.");
   EXPECT_EQ(Declared().message_of("set Title = a\nset Title = b\n"),
             "x.prm, line 2: The entry 'Title' has already been set in line 1.");
+}
+
+TEST(Parameters, a_comment_begins_after_a_blank_only)
+{
+  Declared declared;
+  declared.parameters.read_text(
+    "# first\nset Title = a#1/out#2 # set Title = b\n"
+    "subsection Load\t# of the chip\n#end\nend",
+    "x.prm");
+  EXPECT_EQ(declared.sample.title, "a#1/out#2");
+}
+
+TEST(Parameters, marks_of_text_encodings_are_skipped_or_named)
+{
+  Declared declared;
+  declared.parameters.read_text("\xEF\xBB\xBFset Title = b\r\n", "x.prm");
+  EXPECT_EQ(declared.sample.title, "b");
+  EXPECT_EQ(Declared().message_of(std::string("\xFF\xFEs\0e\0t\0", 8)),
+            "x.prm: The text is in UTF-16; UTF-8 is expected (an editor's "
+            "'save as' offers it).");
+  EXPECT_EQ(Declared().message_of(std::string("\nset\0Title = a\n", 16)),
+            "x.prm, line 2: There are bytes that are no text; a parameter file "
+            "is expected.");
+}
+
+TEST(Parameters, words_of_a_foreign_file_stay_in_it)
+{
+  const std::string message = Declared().message_of("password = hunter2\n");
+  EXPECT_EQ(message.find("hunter2"), std::string::npos) << message;
+  EXPECT_EQ(message.find("password"), std::string::npos) << message;
+}
+
+TEST(Parameters, long_lines_are_shown_in_part)
+{
+  const std::string x(1000000, 'x');
+  EXPECT_EQ(Declared().message_of("set " + x + " = 1\n"),
+            "x.prm, line 1: There is no entry '" + x.substr(0, 57) +
+              "...' at the top level; 'asperity parameters' lists all "
+              "entries.");
+  for (const std::string text :
+       {x,
+        "subsection Mesh\nset Spans = " + x + "\nend",
+        "subsection Mesh\nset Heights = " + x + "\nend",
+        "subsection Load\nset Pressure = " + x + "\nend",
+        "subsection Load\nset Pressure = 1 " + x + "\nend",
+        "subsection Load\nset Inertia = " + x + "\nend",
+        "subsection Load\nset Restart = " + x + "\nend",
+        "subsection " + x + "\nset Title = a\nend"})
+    EXPECT_LT(Declared().message_of(text).size(), 400u);
+}
+
+TEST(Parameters, a_decimal_comma_is_refused)
+{
+  const auto heights = [](const std::string &text) {
+    return Declared().message_of("subsection Mesh\nset Heights = " + text +
+                                 "\nend");
+  };
+  const std::string refusal =
+    " has a comma between two digits; decimals take a point, and a comma "
+    "between two numbers is followed by a blank.";
+  for (const std::string text : {"0,16 um", "0,16 um, 0,12 um", "1, 0,16 um"})
+    EXPECT_EQ(heights(text),
+              "x.prm, line 2, entry 'Mesh/Heights': '" + text + "'" + refusal);
+  Declared declared;
+  for (const std::string text : {"1, 16 um", "1 um,16 um", "1e-3 mm,16 um"})
+    {
+      declared.parameters.set("Mesh/Heights", text);
+      EXPECT_EQ(declared.sample.heights, (std::vector<double>{1e-6, 16e-6}));
+    }
+  EXPECT_EQ(Declared().message_of("subsection Load\nset Pressure = 300,5 MPa\n"
+                                  "end"),
+            "x.prm, line 2, entry 'Load/Pressure': '300,5 MPa' has a decimal "
+            "comma; a decimal point is expected.");
+  EXPECT_EQ(Declared().message_of("subsection Mesh\nsubsection Contact\n"
+                                  "set Penalty = 0,5\nend\nend"),
+            "x.prm, line 3, entry 'Mesh/Contact/Penalty': '0,5' has a decimal "
+            "comma; a decimal point is expected.");
 }
 
 TEST(Parameters, relations_between_entries_can_name_their_place)

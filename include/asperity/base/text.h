@@ -18,6 +18,11 @@ namespace asperity
   std::string
   join(const std::vector<std::string> &parts, const std::string &separator);
 
+  /** How a message shows a text that somebody wrote: between quotation marks,
+   *  shortened to 60 bytes, control characters as question marks. */
+  std::string
+  quoted(const std::string &text);
+
   /**
    * Number of insertions, deletions, substitutions and swaps of neighbours
    * that turn one text into the other, regardless of case (optimal string
