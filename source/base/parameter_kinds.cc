@@ -138,24 +138,37 @@ namespace asperity
       return values;
     }
 
-    /** The text with `automatic` for no value. */
-    template <typename Number, typename Parse>
-    std::function<void(const std::string &)>
-    or_automatic(std::optional<Number> &variable, const Parse &parse)
+    /** Fifteen digits: 160 nm and 0.16 um, which may differ by a rounding
+     *  error, are one value. */
+    std::string
+    value_in(const std::string &unit, const double value)
     {
-      return [&variable, parse](const std::string &text) {
+      return format_quantity(value, unit, 15);
+    }
+
+    /** The text with `automatic` for no value. */
+    template <typename Number, typename Parse, typename Format>
+    std::function<std::string(const std::string &)>
+    or_automatic(std::optional<Number> &variable,
+                 const Parse           &parse,
+                 const Format          &format)
+    {
+      return [&variable, parse, format](const std::string &text) {
         if (trim(text) == automatic)
-          variable.reset();
-        else
-          try
-            {
-              variable = parse(text);
-            }
-          catch (const InputError &error)
-            {
-              throw InputError(error.what() + std::string(", or the word '") +
-                               automatic + "'");
-            }
+          {
+            variable.reset();
+            return automatic;
+          }
+        try
+          {
+            variable = parse(text);
+          }
+        catch (const InputError &error)
+          {
+            throw InputError(error.what() + std::string(", or the word '") +
+                             automatic + "'");
+          }
+        return format(*variable);
       };
     }
   } // namespace
@@ -242,6 +255,7 @@ namespace asperity
       new_entry(key, kind_of(unit), range.description(unit), sentence, need);
     entry.assign = [&variable, range, unit](const std::string &text) {
       variable = parse_in_range(text, range, unit);
+      return value_in(unit, variable);
     };
     declare(std::move(entry),
             need == Need::mandatory ? "" : format_quantity(variable, unit));
@@ -259,9 +273,12 @@ namespace asperity
                                      range.description(unit),
                                      sentence,
                                      Need::optional);
-    entry.assign = or_automatic(variable, [range, unit](const auto &text) {
-      return parse_in_range(text, range, unit);
-    });
+    entry.assign         = or_automatic(
+      variable,
+      [range, unit](const auto &text) {
+        return parse_in_range(text, range, unit);
+      },
+      [unit](const double value) { return value_in(unit, value); });
     declare(std::move(entry),
             variable ? format_quantity(*variable, unit) : automatic);
   }
@@ -296,6 +313,7 @@ namespace asperity
       new_entry(key, "whole number", range.description(), sentence, need);
     entry.assign = [&variable, range](const std::string &text) {
       variable = parse_integer(text, range);
+      return std::to_string(variable);
     };
     declare(std::move(entry), std::to_string(variable));
   }
@@ -311,9 +329,10 @@ namespace asperity
                                      range.description(),
                                      sentence,
                                      Need::optional);
-    entry.assign         = or_automatic(variable, [range](const auto &text) {
-      return parse_integer(text, range);
-    });
+    entry.assign         = or_automatic(
+      variable,
+      [range](const auto &text) { return parse_integer(text, range); },
+      [](const unsigned int value) { return std::to_string(value); });
     declare(std::move(entry), variable ? std::to_string(*variable) : automatic);
   }
 
@@ -328,6 +347,7 @@ namespace asperity
       if (text != "true" && text != "false")
         throw InputError(quoted(text) + " is neither 'true' nor 'false'");
       variable = (text == "true");
+      return text;
     };
     declare(std::move(entry), variable ? "true" : "false");
   }
@@ -346,7 +366,10 @@ namespace asperity
     entry.assign = [names, assign](const std::string &text) {
       for (std::size_t i = 0; i < names.size(); ++i)
         if (names[i] == text)
-          return assign(i);
+          {
+            assign(i);
+            return text;
+          }
       throw InputError(quoted(text) + " is not a choice; one of " +
                        join(names, ", ") + " is expected");
     };
@@ -364,6 +387,7 @@ namespace asperity
       if (text.empty() && need == Need::mandatory)
         throw InputError("the text is empty");
       variable = text;
+      return text;
     };
     declare(std::move(entry), variable);
   }
@@ -385,6 +409,7 @@ namespace asperity
         throw InputError("the file " + quoted(text) +
                          " does not exist or cannot be read");
       variable = text;
+      return text;
     };
     declare(std::move(entry), variable);
   }
@@ -403,6 +428,10 @@ namespace asperity
                                      Need::optional);
     entry.assign         = [&variable, range, unit](const std::string &text) {
       variable = parse_list(text, range, unit);
+      std::vector<std::string> values;
+      for (const double value : variable)
+        values.push_back(value_in(unit, value));
+      return join(values, ", ");
     };
     std::vector<std::string> items;
     for (const double value : variable)

@@ -59,7 +59,7 @@ namespace asperity
       try
         {
           // also makes the default exactly what its text says
-          entry.assign(entry.default_text);
+          entry.value = entry.assign(entry.default_text);
         }
       catch (const InputError &error)
         {
@@ -155,7 +155,7 @@ namespace asperity
   {
     try
       {
-        entry.assign(text);
+        entry.value = entry.assign(text);
       }
     catch (const InputError &error)
       {

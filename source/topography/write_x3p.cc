@@ -1,4 +1,4 @@
-#include <asperity/topography/md5.h>
+#include <asperity/base/md5.h>
 #include <asperity/topography/read_height_map.h>
 #include <asperity/topography/zip_archive.h>
 

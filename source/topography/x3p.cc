@@ -1,5 +1,5 @@
+#include <asperity/base/md5.h>
 #include <asperity/topography/file_content.h>
-#include <asperity/topography/md5.h>
 #include <asperity/topography/read_height_map.h>
 #include <asperity/topography/xml.h>
 #include <asperity/topography/zip_archive.h>

@@ -1,4 +1,3 @@
-#include <asperity/topography/md5.h>
 #include <asperity/topography/read_height_map.h>
 #include <asperity/topography/zip_archive.h>
 
@@ -240,15 +239,4 @@ TEST(FormatFixtures, sdf_soft_gauge)
   EXPECT_EQ(map.dx, 1e-6);
   EXPECT_NEAR(map(5, 3), 0.94907e-6, 1e-18);
   EXPECT_NEAR(map(6, 0), 1e-6, 1e-18);
-}
-
-// Test suite of RFC 1321.
-TEST(Formats, md5_checksum)
-{
-  EXPECT_EQ(md5(""), "d41d8cd98f00b204e9800998ecf8427e");
-  EXPECT_EQ(md5("message digest"), "f96b697d7cb7938d525a2f31aaf161d0");
-  std::string digits;
-  for (unsigned int i = 0; i < 8; ++i)
-    digits += "1234567890";
-  EXPECT_EQ(md5(digits), "57edf4a22be3c955ac49da2e2107b67a");
 }

@@ -73,8 +73,13 @@ namespace asperity
     Need        need    = Need::optional;
     bool        is_file = false; // relative to the file that names it
 
-    /** Parses the text into the variable; throws InputError (half sentence). */
-    std::function<void(const std::string &)> assign;
+    /** Parses the text into the variable and returns the value in its own
+     *  words: "0.3 GPa" and "300 MPa" of a stress in MPa are "300 MPa".
+     *  @throws InputError (half sentence) */
+    std::function<std::string(const std::string &)> assign;
+
+    /** What assign() returned last; empty if nothing has been assigned. */
+    std::string value;
 
     bool given = false; // by a file or by set()
 
