@@ -27,7 +27,7 @@ namespace asperity
     , results_(parameters, plan_)
   {
     MpiSession::start();
-    lock_folder();
+    lock_folder(declarator.where("Campaign/Output directory"));
     const std::string path = parameters.directory + "/plan.json";
     plan_.start(parameters, path);
     // All ranks have read the plan before it is written again.
@@ -38,6 +38,8 @@ namespace asperity
         write_atomically(base_scene(), [&](std::ostream &out) {
           out << plan_.base_scene_text();
         });
+        if (!plan_.warning().empty())
+          std::cout << "Warning: " << plan_.warning() << "\n";
         progress = std::make_unique<ProgressLine>(std::cout);
       }
     MPI_Barrier(communicator);
@@ -54,28 +56,25 @@ namespace asperity
 
 
   void
-  Campaign::lock_folder()
+  Campaign::lock_folder(const std::string &where)
   {
-    FolderLock::Status status = FolderLock::Status::locked;
+    std::string refusal;
     if (is_first)
-      {
-        std::error_code ignored;
-        std::filesystem::create_directories(parameters.directory + "/runs",
-                                            ignored);
-        status = lock.acquire(parameters.directory);
-      }
-    status = static_cast<FolderLock::Status>(dealii::Utilities::MPI::broadcast(
-      communicator, static_cast<int>(status), 0));
-    if (status == FolderLock::Status::not_writable)
-      throw InputError("entry 'Campaign/Output directory': cannot write into "
-                       "the folder '" +
-                       parameters.directory +
-                       "'; expected a place where it can be made or written.");
-    if (status == FolderLock::Status::taken)
-      throw InputError("entry 'Campaign/Output directory': another process "
-                       "runs a campaign in the folder '" +
-                       parameters.directory +
-                       "'; expected another folder, or that it has ended.");
+      try
+        {
+          folder = std::make_unique<OutputFolder>(parameters.directory,
+                                                  where,
+                                                  FolderUse::campaign);
+          if (!folder->warning().empty())
+            std::cout << "Warning: " << folder->warning() << "\n";
+        }
+      catch (const InputError &error)
+        {
+          refusal = error.what();
+        }
+    refusal = dealii::Utilities::MPI::broadcast(communicator, refusal, 0);
+    if (!refusal.empty())
+      throw InputError(refusal);
   }
 
 
@@ -145,13 +144,26 @@ namespace asperity
     const std::vector<RunOrder> orders = open_orders();
     first_try                          = false;
     MPI_Barrier(communicator);
+    std::string change;
     for_each_task(orders.size(), communicator, [&](const std::size_t i) {
-      write_record(results_.path_of(orders[i]),
-                   orders[i],
-                   runner(base_scene(), orders[i]));
+      if (!change.empty())
+        return;
+      const RunRecord record = runner(base_scene(), orders[i]);
+      change                 = plan_.changed_file();
+      if (!change.empty())
+        return;
+      write_record(results_.path_of(orders[i]), orders[i], record);
       if (is_first)
         show_progress(orders);
     });
+    for (const std::string &found :
+         dealii::Utilities::MPI::all_gather(communicator, change))
+      if (!found.empty())
+        throw InputError("While the campaign ran, a file of the base scene has "
+                         "changed: " +
+                         found +
+                         "; the runs since then are not recorded. Expected the "
+                         "file as it was, or another output directory.");
     n_performed += orders.size();
   }
 

@@ -1,9 +1,6 @@
 #include <asperity/base/errors.h>
 #include <asperity/base/text.h>
 #include <asperity/campaign/campaign_plan.h>
-#include <asperity/postprocess/summary.h>
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdlib>
@@ -12,8 +9,6 @@
 
 namespace asperity
 {
-  using json = nlohmann::ordered_json;
-
   namespace
   {
     const char *const profile_entry = "Tool/Topography/Profile position";
@@ -126,10 +121,7 @@ namespace asperity
         std::ostringstream text;
         input.declarator.write_prm(text);
         base_scene_text_ = text.str();
-        for (const ParameterEntry &entry : input.declarator.entries())
-          if (entry.subsection != "Output")
-            base_scene.emplace_back(entry.path(),
-                                    input.declarator.get(entry.path()));
+        base_scene       = input.record;
         for (const std::string &position : profiles)
           input.declarator.set(profile_entry, position);
       }
@@ -244,88 +236,18 @@ namespace asperity
 
 
 
-  namespace
+  const std::string &
+  CampaignPlan::warning() const
   {
-    json
-    to_json(const std::vector<LawInput> &inputs)
-    {
-      json list = json::array();
-      for (const LawInput &input : inputs)
-        list.push_back(
-          {{"entry", input.name},
-           {"unit", input.unit},
-           {"lower", input.lower},
-           {"upper", input.upper},
-           {"scale", input.scale == Scale::linear ? "linear" : "logarithmic"}});
-      return list;
-    }
-
-    json
-    to_json(const EntryValues &values)
-    {
-      json object = json::object();
-      for (const auto &[path, text] : values)
-        object[path] = text;
-      return object;
-    }
-
-    /** Entries that have come with a newer program do not count. */
-    void
-    check_same_scene(const json &now, const json &then, const std::string &path)
-    {
-      for (const auto &[entry, text] : then.items())
-        if (!now.contains(entry) || now.at(entry) != text)
-          throw InputError(
-            "The base scene is not that of the campaign in " + path + ": " +
-            entry + " was " + text.dump() + " and is " +
-            (now.contains(entry) ? now.at(entry).dump() : "gone") +
-            "; take another output directory.");
-    }
-  } // namespace
-
-
-
-  void
-  CampaignPlan::save(const std::string &path) const
-  {
-    json document;
-    document["format"]     = "asperity campaign plan 1";
-    document["inputs"]     = to_json(inputs_);
-    document["profiles"]   = profiles;
-    document["base_scene"] = to_json(base_scene);
-    document["points"]     = json::array();
-    for (const PlannedPoint &point : points_)
-      document["points"].push_back({{"id", point.id},
-                                    {"role", point.test ? "test" : "training"},
-                                    {"x", point.x}});
-    write_summary(path, document);
+    return warning_;
   }
 
 
 
-  void
-  CampaignPlan::read(const std::string &path)
+  std::string
+  CampaignPlan::changed_file() const
   {
-    const json document = read_summary(path);
-    try
-      {
-        check_same_scene(to_json(base_scene), document.at("base_scene"), path);
-        if (document.at("inputs") != to_json(inputs_) ||
-            document.at("profiles") != json(profiles))
-          throw InputError("The inputs, ranges or profiles are not those of "
-                           "the campaign in " +
-                           path + "; take another output directory.");
-        points_.clear();
-        for (const json &point : document.at("points"))
-          add(point.at("role") == "test",
-              point.at("x").get<std::vector<double>>());
-      }
-    catch (const json::exception &error)
-      {
-        throw InputError("The file " + path +
-                         " is not the plan of a campaign: " + error.what() +
-                         ".");
-      }
+    return base_scene.changed_file();
   }
 
 

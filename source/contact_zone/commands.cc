@@ -1,23 +1,22 @@
+#include <asperity/base/atomic_file.h>
 #include <asperity/base/environment.h>
 #include <asperity/base/errors.h>
 #include <asperity/base/mpi_session.h>
 #include <asperity/base/progress.h>
 #include <asperity/base/version.h>
 #include <asperity/contact_zone/commands.h>
+#include <asperity/contact_zone/scene_checkpoint.h>
 #include <asperity/contact_zone/scene_computation.h>
 #include <asperity/contact_zone/scene_input.h>
 #include <asperity/contact_zone/scene_output.h>
+#include <asperity/postprocess/output_folder.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/timer.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <iomanip>
 #include <iostream>
-#include <memory>
-#include <optional>
 
 namespace asperity
 {
@@ -120,33 +119,33 @@ namespace asperity
         std::cout << "Warning: " << warning << "\n";
     }
 
-    /** Also shows early whether the output directory can be written. */
     void
     write_parameters(const SceneInput &input)
     {
-      const std::string &directory = input.parameters.output.directory;
-      std::error_code    error;
-      std::filesystem::create_directories(directory, error);
-      std::ofstream file(directory + "/parameters.prm");
-      if (error || !file)
-        throw InputError(
-          input.declarator.where("Output/Output directory") +
-          ": cannot write into the folder '" + directory +
-          "'; expected a place where it can be made or written.");
-      input.declarator.write_prm(file);
+      write_atomically(input.parameters.output.directory + "/parameters.prm",
+                       [&](std::ostream &out) {
+                         input.declarator.write_prm(out);
+                       });
     }
 
-    /** The checkpoint to go on from, if the parameters ask for it. */
-    std::optional<CheckpointFolder::Found>
-    find_checkpoint(const SceneInput &input)
+    /** Loads the checkpoint to go on from, if the parameters ask for one, and
+     *  prints what is to be known of it.
+     *  @return warnings
+     *  @throws InputError if there is none for these inputs */
+    std::vector<std::string>
+    restart(const SceneInput &input, SlidingRun &run, Scene &scene)
     {
-      if (!input.parameters.output.restart)
+      const OutputParameters &output = input.parameters.output;
+      if (!output.restart)
         return {};
       try
         {
-          return CheckpointFolder(input.parameters.output.directory +
-                                  "/checkpoint")
-            .read_newest();
+          const auto found =
+            find_checkpoint(CheckpointFolder(output.directory + "/checkpoint"),
+                            input.record,
+                            version_line());
+          load(found.checkpoint.state, run, scene);
+          return found.warnings;
         }
       catch (const InputError &error)
         {
@@ -168,28 +167,31 @@ namespace asperity
     if (n_ranks > 1)
       std::cout << "A scene runs on one rank; the other " << n_ranks - 1
                 << " stay idle.\n";
-    dealii::Timer    timer;
-    SceneInput       input(file);
-    SceneParameters &parameters = input.parameters;
-    const auto       restart    = find_checkpoint(input);
-    write_parameters(input);
+    dealii::Timer      timer;
+    SceneInput         input(file);
+    SceneParameters   &parameters = input.parameters;
     const AuditedScene audited(parameters);
     Scene             &scene = *audited.scene;
     const SceneAudit  &audit = audited.audit;
+    SlidingRun         run(parameters, scene);
+
+    std::vector<std::string> notes = restart(input, run, scene);
+
+    // Nothing has been written before all of the input is known to be good.
+    const OutputFolder folder(parameters.output.directory,
+                              input.declarator.where("Output/Output directory"),
+                              FolderUse::run);
+    if (!folder.warning().empty())
+      notes.push_back(folder.warning());
+    folder.clear(parameters.output.restart);
+    write_parameters(input);
     std::cout << version_line() << "\n";
     print_scene(scene, audit, parameters.material.heats_itself(), false);
-
-    SlidingRun   run(parameters, scene);
-    unsigned int restart_step = 0;
-    if (restart)
-      {
-        load(restart->checkpoint, run, scene);
-        restart_step = restart->step;
-        for (const std::string &warning : restart->warnings)
-          std::cout << "Warning: " << warning << "\n";
-        std::cout << "Restart after step " << restart_step << "\n";
-      }
-    SceneOutput output(parameters, scene, restart_step);
+    for (const std::string &note : notes)
+      std::cout << "Warning: " << note << "\n";
+    if (parameters.output.restart)
+      std::cout << "Restart after step " << run.state().step << "\n";
+    SceneOutput output(parameters, input.record, scene, run.state());
 
     ProgressLine progress(std::cout);
     try
@@ -211,7 +213,8 @@ namespace asperity
                                parameters.output.directory + "/checkpoint.");
       }
     const auto warnings = warnings_of_run(audit.warnings, run, parameters);
-    output.finish(run, audit, warnings, timer.wall_time());
+    notes.insert(notes.end(), warnings.begin(), warnings.end());
+    output.finish(run, audit, notes, timer.wall_time());
     progress.note("");
     print_result(run, scene.length, parameters, warnings, timer.wall_time());
     return 0;

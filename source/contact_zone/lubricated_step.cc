@@ -1,3 +1,4 @@
+#include <asperity/base/archive.h>
 #include <asperity/contact_zone/lubricated_step.h>
 
 namespace asperity
@@ -109,17 +110,17 @@ namespace asperity
 
 
 
-  std::vector<double>
-  LubricatedStep::save() const
+  void
+  LubricatedStep::save(OutputArchive &archive) const
   {
-    return step.save();
+    step.save(archive);
   }
 
 
 
   void
-  LubricatedStep::load(const std::vector<double> &data)
+  LubricatedStep::load(InputArchive &archive)
   {
-    step.load(data);
+    step.load(archive);
   }
 } // namespace asperity

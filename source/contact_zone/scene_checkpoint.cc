@@ -1,125 +1,126 @@
-#include <asperity/contact_zone/scene_output.h>
+#include <asperity/base/archive.h>
+#include <asperity/base/errors.h>
+#include <asperity/contact_zone/scene_checkpoint.h>
+
+#include <algorithm>
 
 namespace asperity
 {
   namespace
   {
-    /** Rows and points as flat lists of numbers, and back. */
-    std::vector<double>
-    pack(const std::vector<FrictionRow> &rows)
+    /** Rows are stored by column, so these have to be the same. */
+    std::vector<std::string>
+    column_names()
     {
-      std::vector<double> list;
-      for (const FrictionRow &row : rows)
-        for_each_entry(row, [&](const auto entry) { list.push_back(entry); });
-      return list;
+      std::vector<std::string> names;
+      for (const FrictionColumn &column : friction_columns())
+        names.push_back(column.heading());
+      return names;
     }
 
-    std::vector<FrictionRow>
-    unpack(const std::vector<double> &list)
+    void
+    load_state(InputArchive &archive, RunState &state)
     {
-      std::vector<FrictionRow> rows;
-      auto                     value = list.begin();
-      while (value != list.end())
-        {
-          rows.emplace_back();
-          for_each_entry(rows.back(), [&](auto &entry) { entry = *value++; });
-        }
-      return rows;
-    }
-
-    std::vector<double>
-    pack(const std::vector<MaterialState> &history)
-    {
-      std::vector<double> list;
-      for (const MaterialState &point : history)
-        {
-          list.insert(list.end(),
-                      point.Cp_inverse.begin(),
-                      point.Cp_inverse.end());
-          list.push_back(point.plastic_strain);
-          list.push_back(point.temperature);
-        }
-      return list;
-    }
-
-    dealii::Vector<double>
-    to_vector(const std::vector<double> &list)
-    {
-      return dealii::Vector<double>(list.begin(), list.end());
+      std::vector<std::string> columns;
+      archive >> columns;
+      if (columns != column_names())
+        throw InputError("The checkpoint is of a program whose friction.csv "
+                         "has other columns; expected one of this program.");
+      const std::size_t n = state.u.size();
+      archive >> state;
+      require_length("displacements", state.u.size(), n);
+      require_length("displacements", state.u_previous.size(), n);
     }
   } // namespace
 
 
 
-  Checkpoint
+  std::string
   save(const SlidingRun &run, const Scene &scene)
   {
-    const RunState &state = run.state();
-    Checkpoint      checkpoint;
-    checkpoint.set("step", std::vector<std::int64_t>{state.step});
-    checkpoint.set("time", std::vector<double>{state.time, state.dt_previous});
-    checkpoint.set("u", state.u.begin(), state.u.end());
-    checkpoint.set("u_previous",
-                   state.u_previous.begin(),
-                   state.u_previous.end());
-    checkpoint.set("rows", pack(state.rows));
-    checkpoint.set("history", pack(scene.chip->history()));
-    checkpoint.set("multipliers", scene.contact->multipliers());
-    checkpoint.set("hints", scene.contact->hints());
-    if (scene.lubricant)
-      checkpoint.set("lubricant", scene.lubricant->save());
-    if (const LubricatedStep *step = run.lubricated_step())
-      checkpoint.set("lubricated step", step->save());
-    if (const GeneralizedAlpha *dynamics = run.dynamics())
-      {
-        checkpoint.set("velocity", dynamics->v.begin(), dynamics->v.end());
-        checkpoint.set("acceleration", dynamics->a.begin(), dynamics->a.end());
-        checkpoint.set("old forces",
-                       run.old_forces.begin(),
-                       run.old_forces.end());
-      }
-    return checkpoint;
+    return to_bytes([&](OutputArchive &archive) {
+      archive << column_names() << run.state() << scene.chip->history()
+              << scene.contact->multipliers() << scene.contact->hints();
+      if (scene.lubricant)
+        scene.lubricant->save(archive);
+      if (const LubricatedStep *step = run.lubricated_step())
+        step->save(archive);
+      if (const GeneralizedAlpha *dynamics = run.dynamics())
+        archive << dynamics->v << dynamics->a << run.old_forces;
+    });
   }
 
 
 
   void
-  load(const Checkpoint &checkpoint, SlidingRun &run, Scene &scene)
+  load(const std::string &bytes, SlidingRun &run, Scene &scene)
   {
-    const std::size_t n = scene.n_unknowns();
-    RunState          state;
-    state.step        = checkpoint.integers("step").at(0);
-    state.time        = checkpoint.doubles("time", 2)[0];
-    state.dt_previous = checkpoint.doubles("time", 2)[1];
-    state.u           = to_vector(checkpoint.doubles("u", n));
-    state.u_previous  = to_vector(checkpoint.doubles("u_previous", n));
-    state.rows        = unpack(checkpoint.doubles("rows"));
-    std::vector<MaterialState> history(scene.chip->history().size());
-    const double              *value =
-      checkpoint.doubles("history", 6 * history.size()).data();
-    for (MaterialState &point : history)
-      {
-        for (double &component : point.Cp_inverse)
-          component = *value++;
-        point.plastic_strain = *value++;
-        point.temperature    = *value++;
-      }
+    RunState                   state       = run.state();
+    std::vector<MaterialState> history     = scene.chip->history();
+    std::vector<double>        multipliers = scene.contact->multipliers(),
+                        hints              = scene.contact->hints();
+    from_bytes(bytes, "The state of the run", [&](InputArchive &archive) {
+      load_state(archive, state);
+      archive >> fixed_length(history, "material points") >>
+        fixed_length(multipliers, "pressures of the contact") >>
+        fixed_length(hints, "positions of the contact");
+      if (scene.lubricant)
+        scene.lubricant->load(archive);
+      if (LubricatedStep *step = run.lubricated_step())
+        step->load(archive);
+      if (GeneralizedAlpha *dynamics = run.dynamics())
+        {
+          dynamics->u = state.u;
+          archive >> fixed_length(dynamics->v, "velocities") >>
+            fixed_length(dynamics->a, "accelerations") >>
+            fixed_length(run.old_forces, "forces");
+        }
+    });
     scene.chip->set_history(history);
-    scene.contact->set_multipliers(
-      checkpoint.doubles("multipliers", scene.contact->multipliers().size()));
-    scene.contact->set_hints(
-      checkpoint.doubles("hints", scene.contact->hints().size()));
-    if (scene.lubricant)
-      scene.lubricant->load(checkpoint.doubles("lubricant"));
-    if (LubricatedStep *step = run.lubricated_step())
-      step->load(checkpoint.doubles("lubricated step"));
-    if (GeneralizedAlpha *dynamics = run.dynamics())
-      {
-        dynamics->u    = state.u;
-        dynamics->v    = to_vector(checkpoint.doubles("velocity", n));
-        dynamics->a    = to_vector(checkpoint.doubles("acceleration", n));
-        run.old_forces = to_vector(checkpoint.doubles("old forces", n));
-      }
+    scene.contact->set_multipliers(multipliers);
+    scene.contact->set_hints(hints);
     run.set_state(state);
+  }
+
+
+
+  bool
+  may_differ_on_restart(const std::string &path)
+  {
+    static const std::vector<std::string> entries = {
+      // how mu is averaged, and how long a `steady` run goes on
+      "Protocol/Window fraction",
+      "Protocol/Steady distance",
+      "Protocol/Steady tolerance",
+      "Protocol/Maximum distance",
+      // how a solution is found, not what it is
+      "Solver/Maximum iterations",
+      "Solver/Maximum cuts",
+      "Solver/Linear solver",
+      "Coupling/Maximum iterations"};
+    return path.compare(0, 7, "Output/") == 0 ||
+           std::find(entries.begin(), entries.end(), path) != entries.end();
+  }
+
+
+
+  CheckpointFolder::Found
+  find_checkpoint(const CheckpointFolder &folder,
+                  const InputRecord      &inputs,
+                  const std::string      &program)
+  {
+    CheckpointFolder::Found found = folder.read_newest();
+    const std::string       change =
+      inputs.change_since(found.checkpoint.inputs, may_differ_on_restart);
+    if (!change.empty())
+      throw InputError("the checkpoint " + found.path +
+                       " is of a run with other inputs: " + change +
+                       "; expected the inputs of that run, or a new run "
+                       "(false).");
+    if (found.checkpoint.program != program)
+      found.warnings.push_back(
+        "The checkpoint " + found.path + " was written by another program, " +
+        found.checkpoint.program + ", than the one that goes on from it.");
+    return found;
   }
 } // namespace asperity

@@ -11,6 +11,7 @@ namespace asperity
       declarator.set(path, value);
     parameters.check(declarator);
     parameters.resolve();
+    record = InputRecord(declarator);
   }
 
 

@@ -1,5 +1,5 @@
-#include <asperity/base/errors.h>
 #include <asperity/base/version.h>
+#include <asperity/contact_zone/scene_checkpoint.h>
 #include <asperity/contact_zone/scene_output.h>
 #include <asperity/postprocess/polyline.h>
 #include <asperity/postprocess/summary.h>
@@ -18,57 +18,40 @@ namespace asperity
 
   namespace
   {
-    std::string
-    made(const std::string &directory)
+    /** Up to which step pictures stay. */
+    int
+    kept(const RunState &state)
     {
-      std::error_code error;
-      std::filesystem::create_directories(directory, error);
-      if (error)
-        throw InputError("Output/Output directory: the folder '" + directory +
-                         "' cannot be made (" + error.message() +
-                         "); expected a place that can be written to.");
-      return directory;
+      return state.step > 0 ? static_cast<int>(state.step) :
+                              VtuSeries::keep_nothing;
     }
   } // namespace
 
 
 
   SceneOutput::SceneOutput(const SceneParameters &parameters,
+                           const InputRecord     &inputs,
                            const Scene           &scene,
-                           const unsigned int     restart_step)
+                           const RunState        &state)
     : parameters(parameters)
+    , inputs(inputs)
     , scene(scene)
-    , chip(made(parameters.output.directory),
-           "chip",
-           restart_step > 0 ? static_cast<int>(restart_step) :
-                              VtuSeries::keep_nothing)
-    , tool(parameters.output.directory,
-           "tool",
-           restart_step > 0 ? static_cast<int>(restart_step) :
-                              VtuSeries::keep_nothing)
-    , contact_line(parameters.output.directory,
-                   "contact",
-                   restart_step > 0 ? static_cast<int>(restart_step) :
-                                      VtuSeries::keep_nothing)
+    , table(parameters.output.directory, state.rows)
+    , chip_output(*scene.space,
+                  scene.geometry,
+                  parameters.output.subdivisions,
+                  static_cast<unsigned int>(std::lround(
+                    std::sqrt(scene.chip->table().points_per_element))))
+    , chip(parameters.output.directory, "chip", kept(state))
+    , tool(parameters.output.directory, "tool", kept(state))
+    , contact_line(parameters.output.directory, "contact", kept(state))
     , checkpoints(parameters.output.directory + "/checkpoint")
-    , last_picture(restart_step)
+    , last_picture(state.step)
   {
     if (scene.gap_flow != nullptr)
       oil = std::make_unique<VtuSeries>(parameters.output.directory,
                                         "oil",
-                                        restart_step > 0 ?
-                                          static_cast<int>(restart_step) :
-                                          VtuSeries::keep_nothing);
-    table       = restart_step > 0 ?
-                    std::make_unique<FrictionTable>(parameters.output.directory,
-                                              restart_step) :
-                    std::make_unique<FrictionTable>(parameters.output.directory);
-    chip_output = std::make_unique<ChipOutput>(
-      *scene.space,
-      scene.geometry,
-      parameters.output.subdivisions,
-      static_cast<unsigned int>(
-        std::lround(std::sqrt(scene.chip->table().points_per_element))));
+                                        kept(state));
   }
 
 
@@ -77,7 +60,7 @@ namespace asperity
   SceneOutput::step(const SlidingRun &run)
   {
     dealii::Timer timer;
-    table->append(run.state().rows.back());
+    table.append(run.state().rows.back());
     const unsigned int step = run.state().step;
     if (parameters.output.picture_interval > 0 &&
         step % parameters.output.picture_interval == 0)
@@ -139,7 +122,7 @@ namespace asperity
                                  {"von Mises stress [Pa]",
                                   scene.chip->mises_stress()}};
     chip.write(step, time, [&](std::ostream &out) {
-      chip_output->write(out, fields, time, step);
+      chip_output.write(out, fields, time, step);
     });
   }
 
@@ -176,7 +159,8 @@ namespace asperity
   void
   SceneOutput::write_checkpoint(const SlidingRun &run) const
   {
-    checkpoints.write(save(run, scene), run.state().step);
+    checkpoints.write({version_line(), inputs, save(run, scene)},
+                      run.state().step);
   }
 
 
@@ -239,16 +223,25 @@ namespace asperity
       summary["pressure"]   = friction.oil_pressure;
       summary["load_share"] = number_or_null(
         friction.oil_pressure * scene.length / std::abs(friction.T_y));
-      summary["T_x_pressure"]        = friction.oil_T_x;
-      summary["T_x_shear"]           = friction.shear_T_x;
-      summary["reference_volume"]    = last.oil_reference_volume;
-      summary["end"]["pressure"]     = last.oil_pressure;
-      summary["end"]["max_pressure"] = last.max_oil_pressure;
-      summary["end"]["void_volume"]  = last.void_volume;
-      summary["end"]["oil_volume"]   = last.oil_volume;
-      summary["end"]["pockets"]      = last.pockets;
-      summary["events"]              = scene.lubricant->events();
+      summary["T_x_pressure"]     = friction.oil_T_x;
+      summary["T_x_shear"]        = friction.shear_T_x;
+      summary["reference_volume"] = last.oil_reference_volume;
+      summary["events"]           = scene.lubricant->events();
       return summary;
+    }
+
+    /** The columns of the last row that summary.json shows. */
+    void
+    add_end(const FrictionRow &last, const bool has_oil, json &summary)
+    {
+      for (const FrictionColumn &column : friction_columns())
+        if (!column.summary.empty() &&
+            (has_oil || column.summary.compare(0, 5, "/oil/") != 0))
+          std::visit(
+            [&](const auto entry) {
+              summary[json::json_pointer(column.summary)] = last.*entry;
+            },
+            column.member);
     }
 
     json
@@ -296,21 +289,16 @@ namespace asperity
     if (scene.lubricant)
       summary["oil"] = summarise_oil(run, scene, parameters);
     const FrictionRow &last = run.state().rows.back();
-    summary["end"]          = {{"time", last.time},
-                               {"sliding_distance", last.sliding_distance},
-                               {"max_contact_pressure", last.max_contact_pressure},
-                               {"max_plastic_strain", last.max_plastic_strain},
-                               {"max_temperature", last.max_temperature},
-                               {"max_penetration", last.max_penetration}};
-    summary["load"]         = {{"pressure", parameters.load.pressure},
-                               {"velocity", parameters.load.velocity},
-                               {"temperature", parameters.load.temperature},
-                               {"plastic_strain", parameters.load.plastic_strain}};
-    summary["models"]       = {
-            {"lubricant", name(parameters.lubrication.model)},
-            {"inertia", run.dynamics() == nullptr ? "quasi-static" : "dynamic"},
-            {"heat", parameters.material.heats_itself() ? "adiabatic" : "isothermal"},
-            {"material", scene.law->name()}};
+    add_end(last, scene.lubricant != nullptr, summary);
+    summary["load"]   = {{"pressure", parameters.load.pressure},
+                         {"velocity", parameters.load.velocity},
+                         {"temperature", parameters.load.temperature},
+                         {"plastic_strain", parameters.load.plastic_strain}};
+    summary["models"] = {
+      {"lubricant", name(parameters.lubrication.model)},
+      {"inertia", run.dynamics() == nullptr ? "quasi-static" : "dynamic"},
+      {"heat", parameters.material.heats_itself() ? "adiabatic" : "isothermal"},
+      {"material", scene.law->name()}};
     summary["mesh"]     = {{"degree", scene.space->degree()},
                            {"cells", scene.space->n_cells()},
                            {"unknowns", scene.n_unknowns()},

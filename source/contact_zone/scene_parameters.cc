@@ -193,7 +193,11 @@ namespace asperity
     parameters.flag(
       "Restart",
       restart,
-      "Go on from the newest checkpoint of the output directory.");
+      "Go on from the newest checkpoint of the output directory; false: a new "
+      "run, which removes what an earlier one has left there. A checkpoint of "
+      "other inputs is refused; only the other entries of Output, those of the "
+      "solvers that do not change the solution, Window fraction, and how a "
+      "`steady` window ends may differ.");
   }
 
 

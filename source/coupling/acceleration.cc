@@ -21,16 +21,14 @@ namespace asperity
 
 
 
-  std::vector<double>
-  Acceleration::save() const
-  {
-    return {};
-  }
+  void
+  Acceleration::save(OutputArchive &) const
+  {}
 
 
 
   void
-  Acceleration::load(const std::vector<double> &)
+  Acceleration::load(InputArchive &, const std::size_t)
   {}
 
 

@@ -1,3 +1,4 @@
+#include <asperity/base/archive.h>
 #include <asperity/base/errors.h>
 #include <asperity/coupling/fluid_structure.h>
 #include <asperity/flow/flow_transfer.h>
@@ -147,61 +148,26 @@ namespace asperity
 
 
 
-  std::vector<double>
-  FluidStructure::save()
+  void
+  FluidStructure::save(OutputArchive &archive)
   {
-    // Each part follows its length.
-    const std::vector<double> learnt     = coupling().save();
-    const std::vector<double> flow_data  = flow_.state().save();
-    const SplineSolid::State  body_state = solid_side->state();
-    std::vector<double>       body_data;
-    for (const auto *v :
-         {&body_state.u, &body_state.v, &body_state.a, &body_state.forces})
-      body_data.insert(body_data.end(), v->begin(), v->end());
-    std::vector<double> data;
-    for (const auto &part : {flow_data, body_data, learnt})
-      {
-        data.push_back(part.size());
-        data.insert(data.end(), part.begin(), part.end());
-      }
-    return data;
+    const PartitionedStep &coupled = coupling(); // makes the sides
+    flow_.state().save(archive);
+    solid_side->state().save(archive);
+    coupled.save(archive);
   }
 
 
 
   void
-  FluidStructure::load(const std::vector<double> &data)
+  FluidStructure::load(InputArchive &archive)
   {
-    std::array<std::vector<double>, 3> parts;
-    std::size_t                        first = 0;
-    for (auto &part : parts)
-      {
-        if (first >= data.size() || !(data[first] < data.size() - first))
-          throw InputError("The checkpoint of fluid and structure ends after " +
-                           std::to_string(data.size()) +
-                           " numbers, before it is complete.");
-        const auto begin = data.begin() + first + 1;
-        part.assign(begin, begin + static_cast<std::size_t>(data[first]));
-        first += 1 + part.size();
-      }
-    PartitionedStep   &coupled    = coupling();
+    PartitionedStep   &coupled    = coupling(); // makes the sides
+    FluidState         flow_state = flow_.state();
     SplineSolid::State body_state = solid_side->state();
-    const std::size_t  n          = body_state.u.size();
-    if (parts[1].size() != 4 * n)
-      throw InputError("The body of the checkpoint has " +
-                       std::to_string(parts[1].size()) + " numbers; expected " +
-                       std::to_string(4 * n) + ".");
-    auto value = parts[1].begin();
-    for (auto *v :
-         {&body_state.u, &body_state.v, &body_state.a, &body_state.forces})
-      {
-        v->reinit(n);
-        std::copy_n(value, n, v->begin());
-        value += n;
-      }
-    FluidState flow_state = flow_.state();
-    flow_state.load(parts[0]);
-    coupled.load(parts[2]);
+    flow_state.load(archive);
+    body_state.load(archive);
+    coupled.load(archive);
     flow_.set_state(flow_state);
     solid_side->set_state(body_state);
   }

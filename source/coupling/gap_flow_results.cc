@@ -1,4 +1,4 @@
-#include <asperity/base/errors.h>
+#include <asperity/base/archive.h>
 #include <asperity/coupling/gap_flow.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -89,62 +89,22 @@ namespace asperity
 
 
 
-  namespace
+  void
+  GapFlow::save(OutputArchive &archive) const
   {
-    /** The parts of a state that are vectors, in a fixed order. */
-    template <typename State>
-    auto
-    vectors(State &state)
-    {
-      return std::vector<decltype(&state.u)>{&state.u,
-                                             &state.u_old,
-                                             &state.displacement,
-                                             &state.displacement_old,
-                                             &state.divergence};
-    }
-  } // namespace
-
-
-
-  std::vector<double>
-  GapFlow::save() const
-  {
-    const FluidState    flow = flow_.state();
-    std::vector<double> data = {flow.time,
-                                flow.dt,
-                                static_cast<double>(flow.n_steps)};
-    for (const Vector *v : vectors(flow))
-      data.insert(data.end(), v->begin(), v->end());
-    data.insert(data.end(), force.begin(), force.end());
-    data.insert(data.end(), chip.begin(), chip.end());
-    return data;
+    flow_.state().save(archive);
+    archive << force << chip;
   }
 
 
 
   void
-  GapFlow::load(const std::vector<double> &data)
+  GapFlow::load(InputArchive &archive)
   {
-    FluidState  flow = flow_.state();
-    std::size_t size = 3 + force.size() + chip.size();
-    for (const Vector *v : vectors(flow))
-      size += v->size();
-    if (data.size() != size)
-      throw InputError("The oil of the checkpoint has " +
-                       std::to_string(data.size()) + " numbers; expected " +
-                       std::to_string(size) + ".");
-    flow.time        = data[0];
-    flow.dt          = data[1];
-    flow.n_steps     = static_cast<unsigned int>(data[2]);
-    auto       value = data.begin() + 3;
-    const auto read  = [&value](Vector &v) {
-      std::copy_n(value, v.size(), v.begin());
-      value += v.size();
-    };
-    for (Vector *v : vectors(flow))
-      read(*v);
-    read(force);
-    read(chip);
+    FluidState flow = flow_.state();
+    flow.load(archive);
+    archive >> fixed_length(force, "forces of the oil") >>
+      fixed_length(chip, "displacements under the oil");
     flow_.set_state(flow);
     load_.set_force(force);
     mesh_.update(chip_curve(), {});

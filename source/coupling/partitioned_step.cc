@@ -1,3 +1,4 @@
+#include <asperity/base/archive.h>
 #include <asperity/base/errors.h>
 #include <asperity/coupling/partitioned_step.h>
 
@@ -245,46 +246,26 @@ namespace asperity
 
 
 
-  std::vector<double>
-  PartitionedStep::save() const
+  void
+  PartitionedStep::save(OutputArchive &archive) const
   {
-    std::vector<double> data = robin.save();
-    data.push_back(condition.alpha);
-    data.insert(data.end(), old_displacement.begin(), old_displacement.end());
-    data.push_back(history.size());
-    for (const Accepted &step : history)
-      {
-        data.push_back(step.time);
-        data.insert(data.end(), step.force.begin(), step.force.end());
-      }
-    const std::vector<double> learnt = acceleration->save();
-    data.insert(data.end(), learnt.begin(), learnt.end());
-    return data;
+    robin.save(archive);
+    archive << condition.alpha << old_displacement << history;
+    acceleration->save(archive);
   }
 
 
 
   void
-  PartitionedStep::load(const std::vector<double> &data)
+  PartitionedStep::load(InputArchive &archive)
   {
-    const std::size_t n       = old_displacement.size(),
-                      n_robin = robin.save().size();
-    const std::size_t head    = n_robin + 1 + n;
-    if (data.size() <= head ||
-        data.size() < head + 1 + static_cast<std::size_t>(data[head]) * (n + 1))
-      throw InputError("The coupled step of the checkpoint has " +
-                       std::to_string(data.size()) +
-                       " numbers, which is not what an interface of " +
-                       std::to_string(n) + " components has.");
-    auto value = data.begin();
-    robin.load(std::vector<double>(value, value + n_robin));
-    value += n_robin;
-    condition.alpha  = *value++;
-    old_displacement = Vector(value, value + n);
-    value += n;
-    history.clear();
-    for (double left = *value++; left > 0.; --left, value += n + 1)
-      history.push_back({*value, Vector(value + 1, value + 1 + n)});
-    acceleration->load(std::vector<double>(value, data.end()));
+    const std::size_t n = old_displacement.size();
+    robin.load(archive);
+    archive >> condition.alpha >>
+      fixed_length(old_displacement, "displacements of the interface") >>
+      history;
+    for (const Accepted &step : history)
+      require_length("forces on the interface", step.force.size(), n);
+    acceleration->load(archive, n);
   }
 } // namespace asperity

@@ -1,3 +1,4 @@
+#include <asperity/base/archive.h>
 #include <asperity/coupling/quasi_newton.h>
 
 #include <deal.II/lac/qr.h>
@@ -144,40 +145,24 @@ namespace asperity
 
 
 
-  std::vector<double>
-  QuasiNewton::save() const
+  void
+  QuasiNewton::save(OutputArchive &archive) const
   {
-    // Number of unknowns, then each step: number of columns, the columns.
-    // (The last residual is no measure: a step may have needed none.)
-    std::vector<double> data(1, 0.);
-    for (const Step &step : steps)
-      {
-        if (!step.empty())
-          data[0] = step.front().residual.size();
-        data.push_back(step.size());
-        for (const Column &column : step)
-          for (const Vector *v : {&column.residual, &column.output})
-            data.insert(data.end(), v->begin(), v->end());
-      }
-    return data;
+    // The last residual is no part of it: start_step() forgets it.
+    archive << steps;
   }
 
 
 
   void
-  QuasiNewton::load(const std::vector<double> &data)
+  QuasiNewton::load(InputArchive &archive, const std::size_t n_unknowns)
   {
     reset();
-    steps.clear();
-    const auto n     = static_cast<std::size_t>(data.at(0));
-    auto       value = data.begin() + 1;
-    while (value < data.end())
-      {
-        steps.emplace_back();
-        for (double left = *value++; left > 0.; --left, value += 2 * n)
-          steps.back().push_back(
-            {Vector(value, value + n), Vector(value + n, value + 2 * n)});
-      }
+    archive >> steps;
+    for (const Step &step : steps)
+      for (const Column &column : step)
+        for (const Vector *v : {&column.residual, &column.output})
+          require_length("differences of the coupling", v->size(), n_unknowns);
   }
 
 

@@ -1,3 +1,4 @@
+#include <asperity/base/archive.h>
 #include <asperity/base/errors.h>
 #include <asperity/coupling/robin_coefficient.h>
 
@@ -141,22 +142,23 @@ namespace asperity
 
 
 
-  std::vector<double>
-  RobinCoefficient::save() const
+  void
+  RobinCoefficient::save(OutputArchive &archive) const
   {
     // An impedance is positive.
-    return {value_, correction, secant.value_or(0.)};
+    const double last = secant.value_or(0.);
+    archive << value_ << correction << last;
   }
 
 
 
   void
-  RobinCoefficient::load(const std::vector<double> &data)
+  RobinCoefficient::load(InputArchive &archive)
   {
-    value_     = data.at(0);
-    correction = data.at(1);
+    double last = 0.;
+    archive >> value_ >> correction >> last;
     secant.reset();
-    if (data.at(2) > 0.)
-      secant = data[2];
+    if (last > 0.)
+      secant = last;
   }
 } // namespace asperity

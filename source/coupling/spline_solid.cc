@@ -1,3 +1,4 @@
+#include <asperity/base/archive.h>
 #include <asperity/coupling/spline_solid.h>
 
 #include <algorithm>
@@ -160,5 +161,22 @@ namespace asperity
   SplineSolid::statistics() const
   {
     return statistics_;
+  }
+
+
+
+  void
+  SplineSolid::State::save(OutputArchive &archive) const
+  {
+    archive << u << v << a << forces;
+  }
+
+
+
+  void
+  SplineSolid::State::load(InputArchive &archive)
+  {
+    for (Vector *x : {&u, &v, &a, &forces})
+      archive >> fixed_length(*x, "unknowns of a body");
   }
 } // namespace asperity

@@ -1,4 +1,4 @@
-#include <asperity/base/errors.h>
+#include <asperity/base/archive.h>
 #include <asperity/flow/navier_stokes.h>
 
 #include <deal.II/fe/fe_values.h>
@@ -30,36 +30,22 @@ namespace asperity
 
 
 
-  std::vector<double>
-  FluidState::save() const
+  void
+  FluidState::save(OutputArchive &archive) const
   {
-    std::vector<double> data = {time, dt, static_cast<double>(n_steps)};
+    archive << time << dt << n_steps;
     for (const auto *v : vectors(*this))
-      data.insert(data.end(), v->begin(), v->end());
-    return data;
+      archive << *v;
   }
 
 
 
   void
-  FluidState::load(const std::vector<double> &data)
+  FluidState::load(InputArchive &archive)
   {
-    std::size_t size = 3;
-    for (const auto *v : vectors(*this))
-      size += v->size();
-    if (data.size() != size)
-      throw InputError("The flow of the checkpoint has " +
-                       std::to_string(data.size()) + " numbers; expected " +
-                       std::to_string(size) + ".");
-    time       = data[0];
-    dt         = data[1];
-    n_steps    = static_cast<unsigned int>(data[2]);
-    auto value = data.begin() + 3;
+    archive >> time >> dt >> n_steps;
     for (auto *v : vectors(*this))
-      {
-        std::copy_n(value, v->size(), v->begin());
-        value += v->size();
-      }
+      archive >> fixed_length(*v, "unknowns of a flow");
   }
 
 

@@ -1,3 +1,4 @@
+#include <asperity/base/archive.h>
 #include <asperity/base/errors.h>
 #include <asperity/base/quantity.h>
 #include <asperity/lubricant/film_term.h>
@@ -350,29 +351,21 @@ namespace asperity
 
 
 
-  std::vector<double>
-  FilmTerm::save() const
+  void
+  FilmTerm::save(OutputArchive &archive) const
   {
-    std::vector<double> data = step.old_content;
-    data.insert(data.end(), old_position.begin(), old_position.end());
-    data.push_back(old_tool_offset[0]);
-    data.push_back(old_tool_offset[1]);
-    return data;
+    archive << step.old_content << old_position << old_tool_offset;
   }
 
 
 
   void
-  FilmTerm::load(const std::vector<double> &data)
+  FilmTerm::load(InputArchive &archive)
   {
     const unsigned int n = edge_.n_cells();
-    if (data.size() != 2 * n + 2)
-      throw InputError("The saved film has " + std::to_string(data.size()) +
-                       " numbers where " + std::to_string(2 * n + 2) +
-                       " are expected.");
-    step.old_content.assign(data.begin(), data.begin() + n);
-    old_position.assign(data.begin() + n, data.begin() + 2 * n);
-    old_tool_offset[0] = data[2 * n];
-    old_tool_offset[1] = data[2 * n + 1];
+    step.old_content.resize(n);
+    old_position.resize(n);
+    archive >> fixed_length(step.old_content, "cells of a film") >>
+      fixed_length(old_position, "faces of a film") >> old_tool_offset;
   }
 } // namespace asperity

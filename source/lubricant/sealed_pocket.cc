@@ -1,4 +1,4 @@
-#include <asperity/base/errors.h>
+#include <asperity/base/archive.h>
 #include <asperity/lubricant/sealed_pocket.h>
 
 #include <algorithm>
@@ -275,59 +275,21 @@ namespace asperity
 
 
 
-  std::vector<double>
-  SealedPocket::save() const
+  void
+  SealedPocket::save(OutputArchive &archive) const
   {
-    const PocketTracker::State state = accepted_tracker.state();
-    const double               n     = accepted_pressures.size();
-    std::vector<double>        data  = {n,
-                                        state.sealed_mass,
-                                        state.quantum,
-                                        static_cast<double>(state.n_names_given),
-                                        static_cast<double>(state.step)};
-    for (const auto *list :
-         {&accepted_pressures, &state.extents, &state.masses})
-      data.insert(data.end(), list->begin(), list->end());
-    for (const std::string &name : state.names)
-      {
-        data.push_back(name.size());
-        data.insert(data.end(), name.begin(), name.end());
-      }
-    return data;
+    archive << accepted_tracker << accepted_pressures << step_ << events_;
   }
 
 
 
   void
-  SealedPocket::load(const std::vector<double> &data)
+  SealedPocket::load(InputArchive &archive)
   {
-    auto       value = data.begin();
-    const auto next  = [&]() {
-      if (value == data.end())
-        throw InputError("The checkpoint's list of oil pockets ends early.");
-      return *value++;
-    };
-    const auto fill = [&](std::vector<double> &list, const std::size_t n) {
-      for (std::size_t i = 0; i < n; ++i)
-        list.push_back(next());
-    };
-    const unsigned int   n = next();
-    PocketTracker::State state;
-    state.sealed_mass   = next();
-    state.quantum       = next();
-    state.n_names_given = next();
-    state.step          = next();
-    accepted_pressures.clear();
-    fill(accepted_pressures, n);
-    fill(state.extents, 4 * n);
-    fill(state.masses, n);
-    for (unsigned int i = 0; i < n; ++i)
-      {
-        std::vector<double> letters;
-        fill(letters, next());
-        state.names.emplace_back(letters.begin(), letters.end());
-      }
-    accepted_tracker.restore(state);
+    archive >> accepted_tracker >> accepted_pressures >> step_ >> events_;
+    require_length("pressures of pockets",
+                   accepted_pressures.size(),
+                   accepted_tracker.pockets().size());
     tracker = accepted_tracker;
     enclose();
   }

@@ -73,6 +73,7 @@ namespace asperity
         {
           found.checkpoint = Checkpoint::read(path(candidate));
           found.step       = candidate;
+          found.path       = path(candidate);
           return found;
         }
       catch (const InputError &error)
@@ -85,5 +86,17 @@ namespace asperity
       message += " at step " + std::to_string(*step);
     message += found.warnings.empty() ? "." : ": " + found.warnings.front();
     throw InputError(message);
+  }
+
+
+
+  void
+  CheckpointFolder::clear() const
+  {
+    for (const unsigned int step : steps())
+      {
+        std::error_code ignored;
+        std::filesystem::remove(path(step), ignored);
+      }
   }
 } // namespace asperity

@@ -1,63 +1,204 @@
 #include <asperity/postprocess/friction_table.h>
 
+#include <ostream>
+
 namespace asperity
 {
   namespace
   {
-    std::vector<TableColumn>
-    friction_columns()
-    {
-      return {{"step", "step"},
-              {"time [s]", "time [us]", 1e6},
-              {"sliding distance [m]", "sliding distance [um]", 1e6},
-              {"T_x [N/m]", "T_x [N/mm]", 1e-3},
-              {"T_y [N/m]", "T_y [N/mm]", 1e-3},
-              {"mu [-]", "mu [-]"},
-              {"contact fraction [-]", "contact fraction [-]"},
-              {"max contact pressure [Pa]", "max contact pressure [MPa]", 1e-6},
-              {"max plastic strain [-]", "max plastic strain [-]"},
-              {"max temperature [K]", "max temperature [degC]", 1., -273.15},
-              {"mean gap [m]", "mean gap [um]", 1e6},
-              {"max penetration [m]", "max penetration [um]", 1e6},
-              {"oil pressure [Pa]", "oil pressure [MPa]", 1e-6},
-              {"max oil pressure [Pa]", "max oil pressure [MPa]", 1e-6},
-              {"oil T_x [N/m]", "oil T_x [N/mm]", 1e-3},
-              {"shear T_x [N/m]", "shear T_x [N/mm]", 1e-3},
-              {"shear T_y [N/m]", "shear T_y [N/mm]", 1e-3},
-              {"void volume [m^2]", "void volume [um^2]", 1e12},
-              {"oil volume [m^2]", "oil volume [um^2]", 1e12},
-              {"oil reference volume [m^2]",
-               "oil reference volume [um^2]",
-               1e12},
-              {"pockets [-]", "pockets [-]"},
-              {"coupling iterations [-]", "coupling iterations [-]"},
-              {"newton iterations [-]", "newton iterations [-]"},
-              {"factorisations [-]", "factorisations [-]"},
-              {"wall time [s]", "wall time [s]"}};
-    }
+    using Row = FrictionRow;
 
-    Table
-    open(const std::string &directory, const double keep_until)
+    const ResultUnit order, number{"-", "-"}, seconds{"s", "us", 1e6},
+      wall{"s", "s"}, length{"m", "um", 1e6}, line_load{"N/m", "N/mm", 1e-3},
+      pressure{"Pa", "MPa", 1e-6}, temperature{"K", "degC", 1., -273.15},
+      volume{"m^2", "um^2", 1e12};
+
+    const std::vector<FrictionColumn> columns = {
+      {"step", order, "Number of the time step.", &Row::step, ""},
+      {"time", seconds, "At the end of the step.", &Row::time, "/end/time"},
+      {"sliding distance",
+       length,
+       "Way of the bottom of the chip.",
+       &Row::sliding_distance,
+       "/end/sliding_distance"},
+      {"T_x",
+       line_load,
+       "Force on the chip along x, of contact and oil.",
+       &Row::T_x,
+       ""},
+      {"T_y",
+       line_load,
+       "Force on the chip along y, of contact and oil; negative presses.",
+       &Row::T_y,
+       ""},
+      {"mu",
+       number,
+       "Force against the motion over the load; negative where the tool pushes "
+       "the chip along its way, 0 as long as nothing is loaded.",
+       &Row::mu,
+       ""},
+      {"contact fraction",
+       number,
+       "Part of the period in contact.",
+       &Row::contact_fraction,
+       ""},
+      {"max contact pressure",
+       pressure,
+       "Largest pressure of the contact.",
+       &Row::max_contact_pressure,
+       "/end/max_contact_pressure"},
+      {"max plastic strain",
+       number,
+       "Largest equivalent plastic strain of the chip.",
+       &Row::max_plastic_strain,
+       "/end/max_plastic_strain"},
+      {"max temperature",
+       temperature,
+       "Largest temperature of the chip.",
+       &Row::max_temperature,
+       "/end/max_temperature"},
+      {"mean gap",
+       length,
+       "Mean distance of the surfaces; penetration counts as none.",
+       &Row::mean_gap,
+       ""},
+      {"max penetration",
+       length,
+       "Largest penetration that the penalty allows.",
+       &Row::max_penetration,
+       "/end/max_penetration"},
+      {"oil pressure",
+       pressure,
+       "Vertical force of the oil's pressure over the period.",
+       &Row::oil_pressure,
+       "/oil/end/pressure"},
+      {"max oil pressure",
+       pressure,
+       "Largest pressure of the oil.",
+       &Row::max_oil_pressure,
+       "/oil/end/max_pressure"},
+      {"oil T_x",
+       line_load,
+       "Part of T_x by the oil's pressure.",
+       &Row::oil_T_x,
+       ""},
+      {"shear T_x",
+       line_load,
+       "Part of T_x by the oil's shear.",
+       &Row::shear_T_x,
+       ""},
+      {"shear T_y",
+       line_load,
+       "Part of T_y by the oil's shear.",
+       &Row::shear_T_y,
+       ""},
+      {"void volume",
+       volume,
+       "Between the surfaces.",
+       &Row::void_volume,
+       "/oil/end/void_volume"},
+      {"oil volume",
+       volume,
+       "Of the oil at its pressure.",
+       &Row::oil_volume,
+       "/oil/end/oil_volume"},
+      {"oil reference volume",
+       volume,
+       "Of the same oil at no pressure: its mass.",
+       &Row::oil_reference_volume,
+       ""},
+      {"pockets",
+       number,
+       "Number of sealed pockets.",
+       &Row::pockets,
+       "/oil/end/pockets"},
+      {"coupling iterations",
+       number,
+       "Exchanges between chip and oil.",
+       &Row::coupling_iterations,
+       ""},
+      {"newton iterations",
+       number,
+       "Of the chip's balance.",
+       &Row::newton_iterations,
+       ""},
+      {"factorisations",
+       number,
+       "Of the tangent, by this process.",
+       &Row::factorisations,
+       ""},
+      {"wall time", wall, "Of the step.", &Row::wall_time, ""}};
+  } // namespace
+
+
+
+  const std::vector<FrictionColumn> &
+  friction_columns()
+  {
+    return columns;
+  }
+
+
+
+  std::string
+  FrictionColumn::heading(const bool people) const
+  {
+    return unit.si.empty() ?
+             name :
+             name + " [" + (people ? unit.people : unit.si) + "]";
+  }
+
+
+
+  double
+  FrictionColumn::value(const FrictionRow &row) const
+  {
+    return std::visit(
+      [&row](const auto entry) { return static_cast<double>(row.*entry); },
+      member);
+  }
+
+
+
+  void
+  write_friction_columns(std::ostream &out)
+  {
+    out << "| friction.csv | friction_units.csv | meaning |\n"
+           "| --- | --- | --- |\n";
+    for (const FrictionColumn &column : friction_columns())
+      out << "| " << column.heading() << " | " << column.heading(true) << " | "
+          << column.meaning << " |\n";
+  }
+
+
+
+  namespace
+  {
+    std::vector<TableColumn>
+    table_columns()
     {
-      return Table(directory + "/friction.csv",
-                   friction_columns(),
-                   directory + "/friction_units.csv",
-                   keep_until);
+      std::vector<TableColumn> columns;
+      for (const FrictionColumn &column : friction_columns())
+        columns.push_back({column.heading(),
+                           column.heading(true),
+                           column.unit.factor,
+                           column.unit.offset});
+      return columns;
     }
   } // namespace
 
 
 
-  FrictionTable::FrictionTable(const std::string &directory)
-    : table(open(directory, Table::keep_nothing))
-  {}
-
-
-
-  FrictionTable::FrictionTable(const std::string &directory,
-                               const unsigned int step)
-    : table(open(directory, step))
-  {}
+  FrictionTable::FrictionTable(const std::string              &directory,
+                               const std::vector<FrictionRow> &earlier)
+    : table(directory + "/friction.csv",
+            table_columns(),
+            directory + "/friction_units.csv")
+  {
+    for (const FrictionRow &row : earlier)
+      if (row.step > 0)
+        append(row);
+  }
 
 
 
@@ -65,7 +206,8 @@ namespace asperity
   FrictionTable::append(const FrictionRow &row)
   {
     std::vector<double> values;
-    for_each_entry(row, [&](const auto entry) { values.push_back(entry); });
+    for (const FrictionColumn &column : friction_columns())
+      values.push_back(column.value(row));
     table.append(values);
   }
 } // namespace asperity

@@ -2,10 +2,8 @@
 #include <asperity/base/errors.h>
 #include <asperity/postprocess/table.h>
 
-#include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
+#include <cstdio>
 
 namespace asperity
 {
@@ -21,56 +19,13 @@ namespace asperity
       return line;
     }
 
-    /** Complete lines of a table that belong to the part that is kept. */
-    std::vector<std::string>
-    kept_rows(const std::string &path,
-              const std::string &expected_heading,
-              const std::size_t  n_columns,
-              const double       keep_until)
-    {
-      std::vector<std::string> rows;
-      std::ifstream            in(path);
-      std::string              line;
-      if (!in || !std::getline(in, line))
-        return rows;
-      if (line != expected_heading)
-        throw InputError("The table " + path + " begins with '" + line +
-                         "', but a restart that continues it expects '" +
-                         expected_heading + "'.");
-      while (std::getline(in, line))
-        {
-          // A line without its end was cut short by a kill.
-          if (in.eof())
-            break;
-          const std::size_t n_commas =
-            std::count(line.begin(), line.end(), ',');
-          char        *end    = nullptr;
-          const double number = std::strtod(line.c_str(), &end);
-          if (end == line.c_str() || n_commas + 1 != n_columns)
-            throw InputError("The table " + path + " holds the line '" + line +
-                             "', but a row of " + std::to_string(n_columns) +
-                             " numbers is expected.");
-          if (number > keep_until)
-            break;
-          rows.push_back(line);
-        }
-      return rows;
-    }
-
     std::ofstream
     open_table(const std::string              &path,
                const std::vector<TableColumn> &columns,
-               const bool                      people,
-               const double                    keep_until)
+               const bool                      people)
     {
-      const std::string        first = heading(columns, people);
-      std::vector<std::string> rows;
-      if (keep_until > Table::keep_nothing)
-        rows = kept_rows(path, first, columns.size(), keep_until);
       write_atomically(path, [&](std::ostream &out) {
-        out << first << '\n';
-        for (const std::string &row : rows)
-          out << row << '\n';
+        out << heading(columns, people) << '\n';
       });
       return std::ofstream(path, std::ios::app | std::ios::binary);
     }
@@ -92,8 +47,7 @@ namespace asperity
 
   Table::Table(const std::string              &path,
                const std::vector<TableColumn> &columns,
-               const std::string              &people_path,
-               const double                    keep_until)
+               const std::string              &people_path)
     : path(path)
     , people_path(people_path)
     , columns(columns)
@@ -105,9 +59,9 @@ namespace asperity
                          path +
                          " holds a comma, a quote or a line break, which "
                          "would break the table apart.");
-    out = open_table(path, columns, false, keep_until);
+    out = open_table(path, columns, false);
     if (!people_path.empty())
-      people_out = open_table(people_path, columns, true, keep_until);
+      people_out = open_table(people_path, columns, true);
   }
 
 

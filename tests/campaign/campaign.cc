@@ -250,10 +250,63 @@ TEST_F(CampaignRun, refuses_the_results_of_another_campaign)
   input.parameters.inputs[0].to = "1200 MPa";
   EXPECT_NE(refusal().find("inputs, ranges or profiles"), std::string::npos)
     << refusal();
-  input.parameters.inputs[0].to = "1300 MPa";
+  input.parameters.inputs[0].to   = "1300 MPa";
+  input.parameters.inputs[0].from = "350 MPa";
+  EXPECT_NE(refusal().find("inputs, ranges or profiles"), std::string::npos)
+    << refusal();
+  input.parameters.inputs[0].from = "300 MPa";
   std::ofstream(folder / "scene.prm")
     << "subsection Mesh\n set Spans = 64\n set Refinement levels = 1\nend\n";
-  EXPECT_NE(refusal().find("Mesh/Spans was \"32\" and is \"64\""),
+  EXPECT_NE(refusal().find("entry 'Mesh/Spans' was 32 and is 64"),
             std::string::npos)
     << refusal();
+}
+
+
+
+TEST_F(CampaignRun, does_not_record_runs_on_a_surface_that_has_changed)
+{
+  std::ofstream(folder / "scene.prm")
+    << "subsection Tool\n subsection Topography\n  set File = tool.txt\n"
+       " end\nend\n";
+  std::ofstream(folder / "tool.txt") << "1 2 3 4\n";
+  const CampaignInput input(folder, text());
+  unsigned int        n_runs = 0;
+  const auto runner = [&](const std::string &scene, const RunOrder &order) {
+    if (++n_runs == 3)
+      std::ofstream(folder / "tool.txt") << "1 2 3 5\n";
+    return formula_run(scene, order);
+  };
+  {
+    Campaign campaign(input.parameters,
+                      input.declarator,
+                      MPI_COMM_WORLD,
+                      runner);
+    try
+      {
+        campaign.run();
+        ADD_FAILURE() << "the change was not noticed";
+      }
+    catch (const InputError &error)
+      {
+        EXPECT_EQ(std::string(error.what())
+                    .find("While the campaign ran, a file of the base scene "
+                          "has changed: entry 'Tool/Topography/File' was the "
+                          "file '"),
+                  0u)
+          << error.what();
+      }
+  }
+  EXPECT_EQ(n_runs, 3u);
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/runs/0002.json"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "out/runs/0003.json"));
+
+  // With the file as it was, the campaign goes on.
+  std::ofstream(folder / "tool.txt") << "1 2 3 4\n";
+  Campaign campaign(input.parameters,
+                    input.declarator,
+                    MPI_COMM_WORLD,
+                    formula_run);
+  campaign.run();
+  EXPECT_EQ(campaign.plan().n_points(false), 20u);
 }

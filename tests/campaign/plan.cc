@@ -102,6 +102,88 @@ TEST_F(Plan, wrong_input_is_refused_in_one_sentence)
 
 
 
+namespace
+{
+  /** The sentence with which a plan on disk is refused; empty: it is not. */
+  std::string
+  refusal_of_plan(const std::filesystem::path &folder, const std::string &text)
+  {
+    try
+      {
+        const CampaignInput input(folder, text);
+        CampaignPlan        plan(input.parameters, input.declarator);
+        plan.start(input.parameters, (folder / "plan.json").string());
+      }
+    catch (const InputError &error)
+      {
+        return error.what();
+      }
+    return "";
+  }
+} // namespace
+
+TEST_F(Plan, belongs_to_a_scene_with_the_content_of_its_files)
+{
+  const auto scene = [&](const std::string &text) {
+    std::ofstream(folder / "scene.prm") << text;
+  };
+  const std::string measured = "subsection Tool\n subsection Topography\n"
+                               "  set File = tool.txt\n end\nend\n";
+  std::ofstream(folder / "tool.txt") << "1 2 3 4\n";
+  std::ofstream(folder / "common.prm")
+    << "subsection Mesh\n set Spans = 64\nend\n";
+  scene("include common.prm\n" + measured);
+  {
+    const CampaignInput input(folder, text());
+    CampaignPlan        plan(input.parameters, input.declarator);
+    plan.start(input.parameters, (folder / "plan.json").string());
+    plan.save((folder / "plan.json").string());
+    EXPECT_EQ(plan.warning(), "");
+    EXPECT_EQ(plan.changed_file(), "");
+    std::ofstream(folder / "tool.txt") << "1 2 3 5\n";
+    EXPECT_EQ(plan.changed_file().find("entry 'Tool/Topography/File' was the "
+                                       "file '"),
+              0u);
+  }
+  const std::string begin = "The base scene is not that of the campaign in " +
+                            (folder / "plan.json").string() + ": ";
+  EXPECT_EQ(refusal_of_plan(folder, text())
+              .find(begin + "entry 'Tool/Topography/File' was the file '"),
+            0u)
+    << refusal_of_plan(folder, text());
+  std::ofstream(folder / "tool.txt") << "1 2 3 4\n";
+  EXPECT_EQ(refusal_of_plan(folder, text()), "");
+
+  std::ofstream(folder / "common.prm")
+    << "subsection Mesh\n set Spans = 96\nend\n";
+  EXPECT_EQ(refusal_of_plan(folder, text()),
+            begin + "entry 'Mesh/Spans' was 64 and is 96; take another output "
+                    "directory.");
+  // where pictures go is of no importance, and so are other words
+  scene("subsection Mesh\n set Spans = 6.4e1\nend\n"
+        "subsection Output\n set Picture interval = 3\nend\n" +
+        measured);
+  EXPECT_EQ(refusal_of_plan(folder, text()), "");
+
+  std::ifstream     in(folder / "plan.json");
+  const std::string plan{std::istreambuf_iterator<char>(in), {}};
+  std::ofstream(folder / "plan.json") << replaced(plan, "plan 2", "plan 1");
+  EXPECT_NE(refusal_of_plan(folder, text())
+              .find("has the format \"asperity campaign plan 1\", but "
+                    "\"asperity campaign plan 2\" is expected"),
+            std::string::npos);
+  std::ofstream(folder / "plan.json")
+    << replaced(plan, "\"program\": \"asperity", "\"program\": \"x");
+  const CampaignInput input(folder, text());
+  CampaignPlan        other(input.parameters, input.declarator);
+  other.start(input.parameters, (folder / "plan.json").string());
+  EXPECT_NE(other.warning().find("was begun by another program, x "),
+            std::string::npos)
+    << other.warning();
+}
+
+
+
 TEST(RunRecord, reads_back_and_belongs_to_its_order)
 {
   const std::string path = testing::TempDir() + "/asperity_record.json";

@@ -1,3 +1,5 @@
+#include <asperity/base/folder_lock.h>
+
 #include <fcntl.h>
 #include <signal.h>
 #include <unistd.h>
@@ -152,4 +154,29 @@ TEST_F(Characterize, wrong_input_ends_with_one_sentence)
   EXPECT_EQ(run("characterize").errors,
             "Error: 'asperity characterize' takes one parameter file, as in "
             "'asperity characterize scene.prm'.\n");
+}
+
+TEST_F(Characterize, a_folder_takes_one_campaign_at_a_time_and_no_run)
+{
+  write("one.prm", campaign("one"));
+  {
+    const FolderLock other((folder / "one").string(), "this test");
+    const Result     refused = run("characterize one.prm", "mpirun -np 2");
+    EXPECT_EQ(refused.status, 2) << refused.output;
+    EXPECT_EQ(refused.errors.find("Error: one.prm, line 3, entry "
+                                  "'Campaign/Output directory': another "
+                                  "process writes into the folder 'one'"),
+              0u)
+      << refused.errors;
+    EXPECT_FALSE(std::filesystem::exists(folder / "one/plan.json"));
+  }
+  write("one/plan.json", "{}");
+  std::filesystem::create_directories(folder / "one/runs");
+  write("run.prm",
+        "include scene.prm\nsubsection Output\n set Output directory = one\n"
+        "end\n");
+  EXPECT_EQ(run("run.prm").errors,
+            "Error: run.prm, line 3, entry 'Output/Output directory': the "
+            "folder 'one' holds the results of a campaign; expected a folder "
+            "of its own.\n");
 }

@@ -1,12 +1,17 @@
+#include <asperity/base/folder_lock.h>
+
 #include <fcntl.h>
 #include <signal.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <iomanip>
 #include <random>
 #include <sstream>
 #include <thread>
+#include <tuple>
 #include <vector>
 
 #include "program.h"
@@ -146,6 +151,216 @@ TEST_F(Restart, without_a_checkpoint_is_refused)
   write("scene.prm", scene("nowhere", true));
   const Result result = run("scene.prm");
   EXPECT_EQ(result.status, 2) << result.output << result.errors;
-  EXPECT_NE(result.errors.find("nowhere/checkpoint"), std::string::npos)
-    << result.errors;
+  EXPECT_EQ(result.errors,
+            "Error: scene.prm, line 14, entry 'Output/Restart': The folder "
+            "nowhere/checkpoint holds no checkpoint to restart from.\n");
+  EXPECT_FALSE(std::filesystem::exists(folder / "nowhere"));
+  std::filesystem::create_directories(folder / "nowhere" / "checkpoint");
+  EXPECT_EQ(run("scene.prm").errors, result.errors);
+}
+
+TEST_F(Restart, with_other_inputs_is_refused_and_touches_nothing)
+{
+  write("first.prm", scene("run", false));
+  ASSERT_EQ(run("first.prm").status, 0);
+  const std::string summary    = read("run/summary.json");
+  const std::string parameters = read("run/parameters.prm");
+  for (const auto &[section, entry, change] :
+       std::vector<std::tuple<std::string, std::string, std::string>>{
+         {"Load", "Pressure = 900 MPa", "was 300 MPa and is 900 MPa"},
+         {"Load", "Temperature = 600 degC", "was 25 degC and is 600 degC"},
+         {"Load", "Velocity = 2 m/s", "was 200 m/min and is 120 m/min"},
+         {"Geometry", "Chip height = 6 um", "was 5 um and is 6 um"},
+         {"Mesh", "Degree = 3", "was 2 and is 3"},
+         {"Contact", "Penalty factor = 9", "was 8 and is 9"},
+         {"Material",
+          "Density = 7000 kg/m3",
+          "was 7800 kg/m3 and is 7000 kg/m3"},
+         {"Solver", "Tolerance = 1e-4", "was 1e-05 and is 0.0001"}})
+    {
+      write("second.prm",
+            scene("run",
+                  true,
+                  "subsection " + section + "\n set " + entry + "\nend\n"));
+      const Result      result = run("second.prm");
+      const std::string name   = entry.substr(0, entry.find(" ="));
+      EXPECT_EQ(result.status, 2) << result.output;
+      EXPECT_EQ(result.output, "");
+      EXPECT_EQ(result.errors.find("Error: second.prm, line 14, entry "
+                                   "'Output/Restart': the checkpoint "
+                                   "run/checkpoint/step_24.checkpoint is of a "
+                                   "run with other inputs: entry '" +
+                                   section + "/" + name + "' " + change),
+                0u)
+        << result.errors;
+    }
+  EXPECT_EQ(read("run/summary.json"), summary);
+  EXPECT_EQ(read("run/parameters.prm"), parameters);
+}
+
+TEST_F(Restart, in_other_words_or_with_another_output_goes_on)
+{
+  write("first.prm", scene("run", false));
+  ASSERT_EQ(run("first.prm").status, 0);
+  const auto expected = table("run");
+  write("common.prm", "subsection Load\n set Pressure = 0.3 GPa\nend\n");
+  write("second.prm",
+        "include common.prm\n" +
+          scene("run",
+                true,
+                "subsection Solver\n set Maximum iterations = 30\nend\n"));
+  std::filesystem::remove(folder / "run/checkpoint/step_24.checkpoint");
+  const Result rest = run("second.prm");
+  ASSERT_EQ(rest.status, 0) << rest.errors;
+  EXPECT_NE(rest.output.find("Restart after step 21\n"), std::string::npos);
+  EXPECT_EQ(table("run"), expected);
+
+  // A run that has ended ends again, here with another mean.
+  std::string text  = scene("run", true);
+  const auto  place = text.find(" set Ramp steps");
+  write("second.prm", text.insert(place, " set Window fraction = 0.25\n"));
+  const Result again = run("second.prm");
+  ASSERT_EQ(again.status, 0) << again.errors;
+  EXPECT_EQ(table("run"), expected);
+  EXPECT_NE(read("run/summary.json").find("1.875e-07"), std::string::npos);
+
+  // What an included file says belongs to the inputs.
+  write("common.prm", "subsection Load\n set Pressure = 0.4 GPa\nend\n");
+  write("second.prm", "include common.prm\n" + scene("run", true));
+  EXPECT_NE(
+    run("second.prm").errors.find("'Load/Pressure' was 300 MPa and is 400 MPa"),
+    std::string::npos);
+}
+
+TEST_F(Restart, with_another_height_map_is_refused)
+{
+  // 16 x 4 heights in um; the second map is of the same size.
+  const auto map = [](const double amplitude) {
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(4);
+    for (unsigned int j = 0; j < 4; ++j)
+      for (unsigned int i = 0; i < 16; ++i)
+        text << 1. + amplitude * std::sin(2. * M_PI * i / 16.)
+             << (i < 15 ? " " : "\n");
+    return text.str();
+  };
+  const std::string measured =
+    "subsection Tool\n set Kind = measured\n subsection Topography\n"
+    "  set File = tool.txt\n  set Height unit = um\n"
+    "  set Spacing x = 0.6 um\n  set Spacing y = 0.6 um\n"
+    "  set F-operator = none\n  set S-filter nesting index = 0 um\n"
+    "  set L-filter nesting index = 0 um\n end\nend\n";
+  write("tool.txt", map(0.2));
+  write("first.prm", scene("run", false, measured));
+  const Result first = run("first.prm");
+  ASSERT_EQ(first.status, 0) << first.errors;
+  write("second.prm", scene("run", true, measured));
+  std::filesystem::copy(folder / "tool.txt", folder / "same.txt");
+  ASSERT_EQ(run("second.prm").status, 0);
+  write("tool.txt", map(0.3));
+  const Result second = run("second.prm");
+  EXPECT_EQ(second.status, 2) << second.output;
+  EXPECT_NE(second.errors.find("entry 'Tool/Topography/File' was the file "
+                               "'tool.txt' (MD5 "),
+            std::string::npos)
+    << second.errors;
+  // By another name, the old content is the same tool.
+  std::string moved = scene("run", true, measured);
+  moved.replace(moved.find("tool.txt"), 8, "same.txt");
+  write("second.prm", moved);
+  EXPECT_EQ(run("second.prm").status, 0);
+}
+
+TEST_F(Restart, goes_back_to_the_newest_checkpoint_that_is_whole)
+{
+  write("first.prm", scene("run", false));
+  ASSERT_EQ(run("first.prm").status, 0);
+  const auto        expected = table("run");
+  const std::string newest   = read("run/checkpoint/step_24.checkpoint");
+  write("run/checkpoint/step_24.checkpoint",
+        newest.substr(0, newest.size() / 2));
+  write("second.prm", scene("run", true));
+  const Result rest = run("second.prm");
+  EXPECT_EQ(rest.status, 0) << rest.errors;
+  EXPECT_NE(rest.output.find(
+              "Warning: The checkpoint run/checkpoint/step_24.checkpoint"),
+            std::string::npos)
+    << rest.output;
+  EXPECT_NE(rest.output.find("Restart after step 21\n"), std::string::npos);
+  EXPECT_EQ(table("run"), expected);
+  EXPECT_NE(read("run/summary.json").find("it was cut short"),
+            std::string::npos);
+
+  // An older format is named.
+  std::string old = newest;
+  old[8]          = 1;
+  for (const char *step : {"21", "24"})
+    write("run/checkpoint/step_" + std::string(step) + ".checkpoint", old);
+  const Result refused = run("second.prm");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.errors.find("step_24.checkpoint has format version 1, but "
+                                "this program reads version 2"),
+            std::string::npos)
+    << refused.errors;
+}
+
+TEST_F(Restart, a_new_run_removes_the_results_of_the_old_one)
+{
+  write("first.prm", scene("run", false));
+  ASSERT_EQ(run("first.prm").status, 0);
+  const std::string summary = read("run/summary.json");
+
+  // not before its own input is known to be good ...
+  write("second.prm",
+        scene("run", false, "subsection Tool\n set Kind = measured\nend\n"));
+  EXPECT_EQ(run("second.prm").status, 2);
+  EXPECT_EQ(read("run/summary.json"), summary);
+
+  // ... and then also if it fails,
+  const std::string hopeless = "subsection Load\n set Pressure = 900 MPa\n"
+                               "end\nsubsection Solver\n set Maximum "
+                               "iterations = 1\n set Maximum cuts = 0\nend\n";
+  write("second.prm", scene("run", false, hopeless));
+  EXPECT_EQ(run("second.prm").status, 1);
+  EXPECT_FALSE(std::filesystem::exists(folder / "run" / "summary.json"));
+  EXPECT_EQ(n_rows("run"), 0u);
+  EXPECT_FALSE(
+    std::filesystem::exists(folder / "run/checkpoint/step_24.checkpoint"));
+
+  // so that its restart cannot take the end of the old one for its own.
+  ASSERT_EQ(run("first.prm").status, 0);
+  write("second.prm",
+        scene("run", false, "subsection Load\n set Pressure = 900 MPa\nend\n"));
+  std::filesystem::remove(folder / "run/friction.csv");
+  run_and_kill("second.prm", "run", 1);
+  write("third.prm",
+        scene("run", true, "subsection Load\n set Pressure = 900 MPa\nend\n"));
+  EXPECT_EQ(run("third.prm").errors,
+            "Error: third.prm, line 14, entry 'Output/Restart': The folder "
+            "run/checkpoint holds no checkpoint to restart from.\n");
+}
+
+TEST_F(Restart, a_folder_takes_one_run_at_a_time)
+{
+  write("first.prm", scene("run", false));
+  std::filesystem::create_directories(folder / "run");
+  std::filesystem::create_directory_symlink("run", folder / "link");
+  write("second.prm", scene("link", false));
+  {
+    const FolderLock other((folder / "run").string(), "this test");
+    for (const char *file : {"first.prm", "second.prm"})
+      {
+        const Result refused = run(file);
+        EXPECT_EQ(refused.status, 2) << refused.output;
+        EXPECT_EQ(refused.output, "");
+        EXPECT_NE(refused.errors.find("entry 'Output/Output directory': "
+                                      "another process writes into the folder"),
+                  std::string::npos)
+          << refused.errors;
+      }
+    EXPECT_FALSE(std::filesystem::exists(folder / "run/parameters.prm"));
+  }
+  // The lock of a run goes with its process.
+  run_and_kill("first.prm", "run", 3);
+  EXPECT_EQ(run("second.prm").status, 0);
 }

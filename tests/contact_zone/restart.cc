@@ -1,6 +1,12 @@
+#include <asperity/base/errors.h>
+#include <asperity/contact_zone/scene_checkpoint.h>
+
+#include <deal.II/base/parameter_handler.h>
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <set>
 
 #include "scene_examples.h"
 
@@ -15,38 +21,35 @@ namespace
     FrictionRow without_time = a;
     without_time.wall_time   = b.wall_time;
     std::vector<double> first, second;
-    for_each_entry(without_time,
-                   [&](const auto entry) { first.push_back(entry); });
-    for_each_entry(b, [&](const auto entry) { second.push_back(entry); });
+    for (const FrictionColumn &column : friction_columns())
+      {
+        first.push_back(column.value(without_time));
+        second.push_back(column.value(b));
+      }
     EXPECT_EQ(first, second) << "step " << a.step;
   }
 
-  /** Runs to the end, keeps the state after a step on disk, and runs from
-   *  there again. */
+  /** Runs to the end, keeps the state after a step, and runs from there
+   *  again. */
   void
   expect_identical_rest(const SceneParameters &parameters,
                         const unsigned int     stop)
   {
-    const std::string folder =
-      std::filesystem::temp_directory_path().string() + "/asperity_restart_" +
-      testing::UnitTest::GetInstance()->current_test_info()->name() +
-      std::to_string(stop);
-    std::filesystem::remove_all(folder);
-    const CheckpointFolder checkpoints(folder);
+    std::string kept;
     // The observer needs the scene of the run, so there is no CompleteRun.
     Scene      scene(parameters);
     SlidingRun run(parameters, scene);
     run.run([&](const SlidingRun &now) {
       if (now.state().step == stop)
-        checkpoints.write(save(now, scene), stop);
+        kept = save(now, scene);
     });
 
     Scene      second_scene(parameters);
     SlidingRun second(parameters, second_scene);
-    load(checkpoints.read_newest().checkpoint, second, second_scene);
+    load(kept, second, second_scene);
+    EXPECT_EQ(save(second, second_scene), kept);
     EXPECT_EQ(second.state().step, stop);
     second.run([](const SlidingRun &) {});
-    std::filesystem::remove_all(folder);
 
     ASSERT_EQ(second.state().rows.size(), run.state().rows.size());
     for (std::size_t i = 0; i < run.state().rows.size(); ++i)
@@ -126,4 +129,77 @@ TEST(Restart, keeps_the_flow_in_the_gap_and_what_the_coupling_has_learnt)
   parameters.lubrication.mesh.rows = 1;
   for (const unsigned int stop : {1, 6})
     expect_identical_rest(parameters, stop);
+}
+
+TEST(Restart, refuses_the_state_of_another_mesh_and_one_that_is_cut_short)
+{
+  SceneParameters parameters = coarse_scene(), finer = coarse_scene();
+  finer.mesh.spans = 48;
+  Scene             scene(parameters), finer_scene(finer);
+  SlidingRun        run(parameters, scene), finer_run(finer, finer_scene);
+  const std::string state   = save(run, scene);
+  const auto        message = [](const auto &call) -> std::string {
+    try
+      {
+        call();
+      }
+    catch (const InputError &error)
+      {
+        return error.what();
+      }
+    return "";
+  };
+  EXPECT_EQ(message([&]() { load(state, finer_run, finer_scene); }),
+            "The checkpoint holds " + std::to_string(scene.n_unknowns()) +
+              " displacements, but " +
+              std::to_string(finer_scene.n_unknowns()) + " are expected.");
+  EXPECT_EQ(message(
+              [&]() { load(state.substr(0, state.size() / 2), run, scene); }),
+            "The state of the run is damaged: it does not hold what is "
+            "expected of it.");
+}
+
+TEST(Restart, warns_of_another_program_and_refuses_other_inputs)
+{
+  const std::string path =
+    std::filesystem::temp_directory_path() / "asperity_restart_program";
+  std::filesystem::remove_all(path);
+  const CheckpointFolder folder(path);
+  InputRecord            inputs;
+  inputs.entries.push_back({"Load/Pressure", "300 MPa", false, ""});
+  inputs.entries.push_back({"Output/Restart", "false", false, ""});
+  folder.write({"program 1", inputs, ""}, 5);
+  inputs.entries[1].value = "true";
+  EXPECT_TRUE(find_checkpoint(folder, inputs, "program 1").warnings.empty());
+  const auto found = find_checkpoint(folder, inputs, "program 2");
+  ASSERT_EQ(found.warnings.size(), 1u);
+  EXPECT_EQ(found.warnings[0],
+            "The checkpoint " + folder.path(5) +
+              " was written by another program, program 1, than the one that "
+              "goes on from it.");
+  inputs.entries[0].value = "900 MPa";
+  EXPECT_THROW(find_checkpoint(folder, inputs, "program 1"), InputError);
+  std::filesystem::remove_all(path);
+}
+
+TEST(Restart, knows_which_entries_may_differ)
+{
+  // Each is an entry that exists, and those of the load are none of them.
+  SceneParameters          parameters;
+  dealii::ParameterHandler handler;
+  ParameterDeclarator      declarator(handler);
+  parameters.declare(declarator);
+  std::set<std::string> differ;
+  for (const ParameterEntry &entry : declarator.entries())
+    if (entry.subsection != "Output" && may_differ_on_restart(entry.path()))
+      differ.insert(entry.path());
+  EXPECT_EQ(differ,
+            (std::set<std::string>{"Coupling/Maximum iterations",
+                                   "Protocol/Maximum distance",
+                                   "Protocol/Steady distance",
+                                   "Protocol/Steady tolerance",
+                                   "Protocol/Window fraction",
+                                   "Solver/Linear solver",
+                                   "Solver/Maximum cuts",
+                                   "Solver/Maximum iterations"}));
 }

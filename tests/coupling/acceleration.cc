@@ -1,3 +1,4 @@
+#include <asperity/base/archive.h>
 #include <asperity/base/errors.h>
 #include <asperity/coupling/quasi_newton.h>
 
@@ -249,8 +250,18 @@ TEST(Acceleration, QuasiNewtonGoesOnFromWhatItSaved)
   method.start_step();
   method.finish_step(true);
 
-  QuasiNewton other(0.3, 2, 1e-6);
-  other.load(method.save());
+  QuasiNewton       other(0.3, 2, 1e-6);
+  const std::string bytes =
+    to_bytes([&](OutputArchive &archive) { method.save(archive); });
+  EXPECT_THROW(from_bytes(bytes,
+                          "what was learnt",
+                          [&](InputArchive &archive) {
+                            other.load(archive, n + 1);
+                          }),
+               InputError);
+  from_bytes(bytes, "what was learnt", [&](InputArchive &archive) {
+    other.load(archive, n);
+  });
   EXPECT_EQ(other.n_columns(), n);
   H.solution(1) -= 2.;
   method.start_step();

@@ -1,3 +1,4 @@
+#include <asperity/base/archive.h>
 #include <asperity/lubricant/pocket_tracker.h>
 
 #include <gtest/gtest.h>
@@ -228,8 +229,12 @@ TEST(PocketTracker, GoesOnFromItsState)
 {
   PocketTracker tracker = three_pockets();
   step(tracker, {{1., 3.}, {4., 6.}, {7., 7.5}, {7.6, 9.}});
-  PocketTracker other(S);
-  other.restore(tracker.state());
+  PocketTracker     other(S);
+  const std::string bytes =
+    to_bytes([&](OutputArchive &archive) { archive << tracker; });
+  from_bytes(bytes, "the pockets", [&](InputArchive &archive) {
+    archive >> other;
+  });
   for (PocketTracker *each : {&tracker, &other})
     step(*each, {{1., 2.1}, {2.2, 3.}, {7., 9.}});
   EXPECT_EQ(content(other), content(tracker));

@@ -1,6 +1,9 @@
 #ifndef asperity_benchmarks_swinging_flag_h
 #define asperity_benchmarks_swinging_flag_h
 
+#include <asperity/base/archive.h>
+#include <asperity/base/atomic_file.h>
+
 #include <deal.II/base/timer.h>
 #include <deal.II/base/utilities.h>
 
@@ -155,24 +158,21 @@ namespace turek_fsi
     void
     save()
     {
-      const std::vector<double> data = fsi.problem->save();
-      std::ofstream             file(state_name + ".new", std::ios::binary);
-      file.write(reinterpret_cast<const char *>(data.data()),
-                 data.size() * sizeof(double));
-      file.close();
-      std::filesystem::rename(state_name + ".new", state_name);
+      write_atomically(state_name, [&](std::ostream &out) {
+        out << to_bytes(
+          [&](OutputArchive &archive) { fsi.problem->save(archive); });
+      });
     }
 
     /** From the last state; rows after it are dropped. */
     void
     resume()
     {
-      std::vector<double> data(std::filesystem::file_size(state_name) /
-                               sizeof(double));
-      std::ifstream(state_name, std::ios::binary)
-        .read(reinterpret_cast<char *>(data.data()),
-              data.size() * sizeof(double));
-      fsi.problem->load(data);
+      std::ifstream     in(state_name, std::ios::binary);
+      const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+      from_bytes(bytes, "The file " + state_name, [&](InputArchive &archive) {
+        fsi.problem->load(archive);
+      });
       const double       time = fsi.problem->flow().time();
       std::ifstream      old(file_name);
       std::ostringstream kept;

@@ -4,7 +4,7 @@
 #include <asperity/base/progress.h>
 #include <asperity/campaign/campaign_plan.h>
 #include <asperity/campaign/campaign_results.h>
-#include <asperity/campaign/folder_lock.h>
+#include <asperity/postprocess/output_folder.h>
 
 #include <mpi.h>
 
@@ -61,10 +61,17 @@ namespace asperity
     std::string
     base_scene() const;
 
+    /** Collective: the first rank holds the lock for all.
+     *  @param where the entry that names the folder */
     void
-    lock_folder();
+    lock_folder(const std::string &where);
 
-    /** Collective: runs that are planned and not recorded. */
+    /**
+     * Collective: runs that are planned and not recorded. A run is recorded
+     * only if the files of the base scene are still what they were when the
+     * campaign began, lest one law be trained on two surfaces.
+     * @throws InputError on all ranks if they are not
+     */
     void
     perform();
 
@@ -90,7 +97,7 @@ namespace asperity
     CampaignPlan                  plan_;
     CampaignResults               results_;
     std::unique_ptr<ProgressLine> progress;
-    FolderLock                    lock;
+    std::unique_ptr<OutputFolder> folder; ///< of the first rank
     bool                          first_try = true;
 
     std::size_t n_performed = 0; ///< runs of this session in earlier batches

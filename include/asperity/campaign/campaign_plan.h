@@ -37,10 +37,20 @@ namespace asperity
     /**
      * Goes on from a plan on disk, or makes the first design; writes nothing.
      * @throws InputError if the plan on disk is of another campaign: of
-     *   another scene, other ranges, or another design
+     *   another scene (also if one of its files has another content), other
+     *   ranges, or another design
      */
     void
     start(const CampaignParameters &parameters, const std::string &path);
+
+    /** A sentence if the plan on disk is of another program, else empty. */
+    const std::string &
+    warning() const;
+
+    /** Which file of the base scene is not what it was when this plan was made,
+     *  as InputRecord::change_since(); empty: none. */
+    std::string
+    changed_file() const;
 
     /** The base scene with all its entries and files by their full paths, so
      *  that later changes of its file do not change a campaign under way. */
@@ -92,7 +102,8 @@ namespace asperity
     std::vector<std::string>  profiles;
     std::vector<PlannedPoint> points_;
     std::string               base_scene_text_;
-    EntryValues               base_scene; ///< all entries but those of output
+    InputRecord               base_scene;
+    std::string               warning_;
   };
 } // namespace asperity
 

@@ -31,6 +31,14 @@ namespace asperity
 
     /** Temperature in kelvin. */
     double temperature = 293.15;
+
+    /** For archives of Boost.Serialization. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &Cp_inverse &plastic_strain &temperature;
+    }
   };
 
   enum class LawStatus

@@ -78,13 +78,14 @@ namespace asperity
     ConvergenceReport
     advance(Vector &u, const double dt);
 
-    /** All that a restart needs, as a list of numbers. */
-    std::vector<double>
-    save() const;
-
-    /** @throws InputError if the list is not one that save() made. */
+    /** All that a restart needs. */
     void
-    load(const std::vector<double> &data);
+    save(OutputArchive &archive) const;
+
+    /** Takes what save() wrote.
+     *  @throws InputError if that is of another interface */
+    void
+    load(InputArchive &archive);
 
   private:
     ChipSide        chip;

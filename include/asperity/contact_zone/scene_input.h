@@ -1,6 +1,7 @@
 #ifndef asperity_contact_zone_scene_input_h
 #define asperity_contact_zone_scene_input_h
 
+#include <asperity/base/input_record.h>
 #include <asperity/base/parameters.h>
 #include <asperity/contact_zone/audit.h>
 #include <asperity/contact_zone/scene_parameters.h>
@@ -31,6 +32,9 @@ namespace asperity
     dealii::ParameterHandler handler;
     ParameterDeclarator      declarator;
     SceneParameters          parameters;
+
+    /** Taken before anything reads the files that are named. */
+    InputRecord record;
   };
 
   /** A scene with the models that the parameters ask for or, where they say

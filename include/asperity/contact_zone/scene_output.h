@@ -1,6 +1,7 @@
 #ifndef asperity_contact_zone_scene_output_h
 #define asperity_contact_zone_scene_output_h
 
+#include <asperity/base/input_record.h>
 #include <asperity/contact_zone/audit.h>
 #include <asperity/contact_zone/sliding_run.h>
 #include <asperity/postprocess/checkpoint.h>
@@ -21,11 +22,16 @@ namespace asperity
   class SceneOutput
   {
   public:
-    /** @param restart_step tables and pictures up to it are kept; 0: a new run
+    /**
+     * @param inputs go into the checkpoints
+     * @param state of the run when it begins: rows and pictures up to its step
+     *   are kept
+     * @throws ComputationError if the folder cannot be written
      */
     SceneOutput(const SceneParameters &parameters,
+                const InputRecord     &inputs,
                 const Scene           &scene,
-                const unsigned int     restart_step);
+                const RunState        &state);
 
     /** Table row always; pictures and checkpoints at their intervals. */
     void
@@ -56,23 +62,17 @@ namespace asperity
     void
     write_contact_line(const unsigned int step, const double time);
 
-    const SceneParameters         &parameters;
-    const Scene                   &scene;
-    std::unique_ptr<FrictionTable> table;
-    std::unique_ptr<ChipOutput>    chip_output;
-    VtuSeries                      chip, tool, contact_line;
-    std::unique_ptr<VtuSeries>     oil; ///< of an oil that fills the gap
-    CheckpointFolder               checkpoints;
-    unsigned int                   last_picture = 0;
-    double                         seconds_     = 0.;
+    const SceneParameters     &parameters;
+    const InputRecord         &inputs;
+    const Scene               &scene;
+    FrictionTable              table;
+    ChipOutput                 chip_output;
+    VtuSeries                  chip, tool, contact_line;
+    std::unique_ptr<VtuSeries> oil; ///< of an oil that fills the gap
+    CheckpointFolder           checkpoints;
+    unsigned int               last_picture = 0;
+    double                     seconds_     = 0.;
   };
-
-  /** The state of a run as a checkpoint, and back. */
-  Checkpoint
-  save(const SlidingRun &run, const Scene &scene);
-
-  void
-  load(const Checkpoint &checkpoint, SlidingRun &run, Scene &scene);
 } // namespace asperity
 
 #endif

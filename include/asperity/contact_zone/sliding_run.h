@@ -25,6 +25,14 @@ namespace asperity
     dealii::Vector<double>   u, u_previous;
     double                   dt_previous = 0.;
     std::vector<FrictionRow> rows;
+
+    /** For archives of Boost.Serialization. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &step &time &u &u_previous &dt_previous &rows;
+    }
   };
 
   /**

@@ -8,6 +8,9 @@
 
 namespace asperity
 {
+  class InputArchive;
+  class OutputArchive;
+
   enum class AccelerationKind
   {
     relaxation, ///< constant factor
@@ -64,13 +67,14 @@ namespace asperity
     virtual void
     reset();
 
-    /** What earlier steps have taught, as a list of numbers; between steps. */
-    virtual std::vector<double>
-    save() const;
-
-    /** @param data made by save() for as many unknowns */
+    /** What earlier steps have taught; between steps. */
     virtual void
-    load(const std::vector<double> &data);
+    save(OutputArchive &archive) const;
+
+    /** Takes what save() wrote.
+     *  @throws InputError if that is of another number of unknowns */
+    virtual void
+    load(InputArchive &archive, const std::size_t n_unknowns);
   };
 
   /** x + omega r. */

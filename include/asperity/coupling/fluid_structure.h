@@ -78,17 +78,16 @@ namespace asperity
     const SplineSolid &
     solid() const;
 
-    /** The last accepted step with all that the next ones depend on, as
-     * numbers: a run continued from them repeats the one that it comes from.
-     * (Kept tangents are not saved; with them it repeats within the tolerance.)
-     */
-    std::vector<double>
-    save();
-
-    /** @throws InputError if the list is not one that save() made for the same
-     *  meshes */
+    /** The last accepted step with all that the next ones depend on: a run
+     *  continued from them repeats the one that it comes from. (Kept tangents
+     *  are not saved; with them it repeats within the tolerance.) */
     void
-    load(const std::vector<double> &data);
+    save(OutputArchive &archive);
+
+    /** Takes what save() wrote.
+     *  @throws InputError if that is of other meshes */
+    void
+    load(InputArchive &archive);
 
     /** Continues from the last accepted step of the same body in a fluid mesh
      *  of other refinement or degree, see interpolate_to_mesh(): a flow

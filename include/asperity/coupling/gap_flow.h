@@ -99,11 +99,11 @@ namespace asperity
     double
     pressure(const double parameter) const override;
 
-    std::vector<double>
-    save() const override;
+    void
+    save(OutputArchive &archive) const override;
 
     void
-    load(const std::vector<double> &data) override;
+    load(InputArchive &archive) override;
 
     const NavierStokes &
     flow() const;

@@ -101,13 +101,14 @@ namespace asperity
     set_state(const Vector &force, const Vector &displacement);
 
     /** All that goes on from step to step, for a restart that repeats the run:
-     *  forces, displacement, coefficient and acceleration, as numbers. */
-    std::vector<double>
-    save() const;
-
-    /** @throws InputError if the list is not one that save() made. */
+     *  forces, displacement, coefficient and acceleration. */
     void
-    load(const std::vector<double> &data);
+    save(OutputArchive &archive) const;
+
+    /** Takes what save() wrote.
+     *  @throws InputError if that is of another interface */
+    void
+    load(InputArchive &archive);
 
   private:
     ConvergenceReport
@@ -123,8 +124,15 @@ namespace asperity
 
     struct Accepted
     {
-      double time;
+      double time = 0.;
       Vector force;
+
+      template <typename Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &time &force;
+      }
     };
 
     SolidSide                    &solid;

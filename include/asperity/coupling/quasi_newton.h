@@ -45,11 +45,11 @@ namespace asperity
     void
     reset() override;
 
-    std::vector<double>
-    save() const override;
+    void
+    save(OutputArchive &archive) const override;
 
     void
-    load(const std::vector<double> &data) override;
+    load(InputArchive &archive, const std::size_t n_unknowns) override;
 
     /** Columns in use after the filter. */
     unsigned int
@@ -60,6 +60,13 @@ namespace asperity
     {
       Vector residual; ///< of V
       Vector output;   ///< of W
+
+      template <typename Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &residual &output;
+      }
     };
     using Step = std::deque<Column>; ///< newest first
 

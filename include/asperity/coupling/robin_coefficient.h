@@ -8,6 +8,9 @@
 
 namespace asperity
 {
+  class InputArchive;
+  class OutputArchive;
+
   /**
    * Impedance of an interface under a load [Pa s/m],
    *   Z = sum_i F_i^2/l_i / (F . v),
@@ -63,11 +66,11 @@ namespace asperity
     value() const;
 
     /** What a restart needs, between steps. */
-    std::vector<double>
-    save() const;
+    void
+    save(OutputArchive &archive) const;
 
     void
-    load(const std::vector<double> &data);
+    load(InputArchive &archive);
 
   private:
     /** Of the tangent at the solid's last result. */

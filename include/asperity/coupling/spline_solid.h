@@ -12,6 +12,9 @@
 
 namespace asperity
 {
+  class InputArchive;
+  class OutputArchive;
+
   struct SplineSolidOptions
   {
     /** Inertia, by generalized-alpha; otherwise quasi-static. */
@@ -72,6 +75,13 @@ namespace asperity
     struct State
     {
       Vector u, v, a, forces;
+
+      void
+      save(OutputArchive &archive) const;
+
+      /** As FluidState::load(). */
+      void
+      load(InputArchive &archive);
     };
 
     State

@@ -55,6 +55,9 @@ namespace asperity
     double mean_pressure = 0.;
   };
 
+  class InputArchive;
+  class OutputArchive;
+
   /** All that a restart needs. */
   struct FluidState
   {
@@ -65,14 +68,13 @@ namespace asperity
     dealii::Vector<double> displacement, displacement_old; ///< of the mesh
     dealii::Vector<double> divergence; ///< at t_n, see NavierStokes
 
-    /** As a list of numbers. */
-    std::vector<double>
-    save() const;
-
-    /** Takes the values from such a list; the sizes are those of this state.
-     *  @throws InputError if the list is of another length */
     void
-    load(const std::vector<double> &data);
+    save(OutputArchive &archive) const;
+
+    /** Takes what save() wrote.
+     *  @throws InputError if vectors are not as long as those of this state */
+    void
+    load(InputArchive &archive);
   };
 
   /**

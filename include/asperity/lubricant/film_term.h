@@ -115,11 +115,11 @@ namespace asperity
     const FilmEdge &
     edge() const;
 
-    std::vector<double>
-    save() const override;
+    void
+    save(OutputArchive &archive) const override;
 
     void
-    load(const std::vector<double> &data) override;
+    load(InputArchive &archive) override;
 
   private:
     /** Takes positions from u. @throws InputError if there is no film */

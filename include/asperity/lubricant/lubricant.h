@@ -11,6 +11,9 @@
 
 namespace asperity
 {
+  class InputArchive;
+  class OutputArchive;
+
   /** What a lubricant does at the last accepted step, over one period and per
    *  metre of thickness. */
   struct LubricantState
@@ -91,13 +94,14 @@ namespace asperity
       return {};
     }
 
-    /** All that a restart needs, as a list of numbers. */
-    virtual std::vector<double>
-    save() const = 0;
-
-    /** @throws InputError if the list is not one that save() made. */
+    /** All that a restart needs. */
     virtual void
-    load(const std::vector<double> &data) = 0;
+    save(OutputArchive &archive) const = 0;
+
+    /** Takes what save() wrote.
+     *  @throws InputError if it does not fit this lubricant */
+    virtual void
+    load(InputArchive &archive) = 0;
   };
 } // namespace asperity
 

@@ -17,6 +17,13 @@ namespace asperity
     {
       return end - begin;
     }
+
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &begin &end;
+    }
   };
 
   /** Length that two intervals have in common. */
@@ -36,6 +43,13 @@ namespace asperity
     /** The part of the edge on which the pocket's pressure acts: `open` and
      *  the seals on both sides up to the points of smallest gap. */
     PeriodicInterval domain;
+
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &open &domain;
+    }
   };
 
   /**

@@ -35,6 +35,13 @@ namespace asperity
     std::string  name;
     PocketExtent extent;
     double       mass = 0.; ///< of oil [kg/m]
+
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &name &extent &mass;
+    }
   };
 
   /**
@@ -100,24 +107,14 @@ namespace asperity
     const std::vector<PocketEvent> &
     events() const;
 
-    /** All that the next steps depend on. */
-    struct State
-    {
-      std::vector<std::string> names;
-      std::vector<double>      extents; ///< open and domain, 4 a pocket
-      std::vector<double>      masses;
-      double                   sealed_mass   = 0.;
-      double                   quantum       = 0.; ///< of masses
-      unsigned int             n_names_given = 0;
-      unsigned int             step          = 0;
-    };
-
-    State
-    state() const;
-
-    /** Goes on from there, without events. */
+    /** All that the next steps depend on, for archives; what has happened is
+     *  not part of it. */
+    template <typename Archive>
     void
-    restore(const State &state);
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &current &sealed &quantum &n_names_given &step;
+    }
 
   private:
     struct Succession; ///< source/lubricant/pocket_succession.h

@@ -98,11 +98,11 @@ namespace asperity
     std::vector<std::string>
     events() const override;
 
-    std::vector<double>
-    save() const override;
+    void
+    save(OutputArchive &archive) const override;
 
     void
-    load(const std::vector<double> &data) override;
+    load(InputArchive &archive) override;
 
   private:
     /** One pressure, on a stretch of the edge. */

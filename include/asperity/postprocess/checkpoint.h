@@ -1,8 +1,9 @@
 #ifndef asperity_postprocess_checkpoint_h
 #define asperity_postprocess_checkpoint_h
 
+#include <asperity/base/input_record.h>
+
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,54 +11,26 @@
 namespace asperity
 {
   /**
-   * The state of a run as named vectors of doubles and integers and named
-   * strings. What is read is bit for bit what was written, so a run that goes
-   * on from it repeats the run that was not interrupted.
+   * The state of a run with the inputs that it belongs to. What is read is bit
+   * for bit what was written, so a run that goes on from it repeats the run
+   * that was not interrupted.
    *
    * File: a head (the word "ASPERITY", format version, byte order, length and
-   * FNV-1a checksum of the rest), then the entries. The format belongs to the
-   * byte order of the machine; another one is refused, not converted.
+   * MD5 of the rest), then an archive of Boost.Serialization, see
+   * base/archive.h. The format belongs to the byte order of the machine;
+   * another one is refused, not converted.
    */
-  class Checkpoint
+  struct Checkpoint
   {
-  public:
-    static constexpr std::uint32_t format_version = 1;
+    /** 1: lists of doubles, without inputs. */
+    static constexpr std::uint32_t format_version = 2;
 
-    /** An entry of the same name and kind is replaced. */
-    void
-    set(const std::string &name, const std::vector<double> &values);
+    std::string program; ///< version_line() of the writer
+    InputRecord inputs;
+    std::string state; ///< as to_bytes() of base/archive.h makes it
 
-    void
-    set(const std::string &name, const std::vector<std::int64_t> &values);
-
-    void
-    set(const std::string &name, const std::string &text);
-
-    /** For iterators, such as those of dealii::Vector<double>. */
-    template <typename Iterator>
-    void
-    set(const std::string &name, const Iterator first, const Iterator last)
-    {
-      set(name, std::vector<double>(first, last));
-    }
-
-    /** @throws InputError naming the entry and the file if it is missing */
-    const std::vector<double> &
-    doubles(const std::string &name) const;
-
-    /** @copydoc doubles() */
-    const std::vector<std::int64_t> &
-    integers(const std::string &name) const;
-
-    /** @copydoc doubles() */
-    const std::string &
-    text(const std::string &name) const;
-
-    /** As doubles(name), which must have this many. @throws InputError */
-    const std::vector<double> &
-    doubles(const std::string &name, const std::size_t size) const;
-
-    /** Writes atomically and waits for the disk. @throws ComputationError */
+    /** Writes atomically and waits for the disk.
+     *  @throws ComputationError if the file cannot be written */
     void
     write(const std::string &path) const;
 
@@ -65,21 +38,6 @@ namespace asperity
      *  version or byte order, cut short, or damaged */
     static Checkpoint
     read(const std::string &path);
-
-    /** Same entries, bit for bit (so a NaN equals itself). */
-    bool
-    operator==(const Checkpoint &other) const;
-
-  private:
-    std::string
-    pack() const;
-
-    std::map<std::string, std::vector<double>>       double_entries;
-    std::map<std::string, std::vector<std::int64_t>> integer_entries;
-    std::map<std::string, std::string>               text_entries;
-
-    /** For messages; empty unless read from a file. */
-    std::string source;
   };
 
   /**
@@ -94,7 +52,7 @@ namespace asperity
                               const unsigned int n_kept = 2);
 
     /** Adds `step_<step>.checkpoint` and removes all but the newest.
-     *  @throws ComputationError */
+     *  @throws ComputationError if the file cannot be written */
     void
     write(const Checkpoint &checkpoint, const unsigned int step) const;
 
@@ -102,6 +60,8 @@ namespace asperity
     {
       Checkpoint   checkpoint;
       unsigned int step = 0;
+      std::string  path; ///< of the file
+
       /** One sentence for each newer file that could not be used. */
       std::vector<std::string> warnings;
     };
@@ -117,6 +77,11 @@ namespace asperity
 
     std::string
     path(const unsigned int step) const;
+
+    /** Removes the checkpoints, whole or not, and nothing else; the folder
+     *  stays. */
+    void
+    clear() const;
 
   private:
     std::string  folder;

@@ -3,75 +3,89 @@
 
 #include <asperity/postprocess/table.h>
 
+#include <iosfwd>
 #include <string>
+#include <variant>
+#include <vector>
 
 namespace asperity
 {
   /**
-   * What a time step says about friction. SI units; forces are those of the
-   * tool and the oil on the chip, integrated over one period and per metre of
-   * thickness. Volumes are per metre of thickness, too.
+   * What a time step says about friction, as the columns of friction_columns()
+   * explain. SI units; forces are those of the tool and the oil on the chip,
+   * integrated over one period and per metre of thickness. Volumes are per
+   * metre of thickness, too.
    */
   struct FrictionRow
   {
     unsigned int step                 = 0;
-    double       time                 = 0.; ///< [s]
-    double       sliding_distance     = 0.; ///< [m]
-    double       T_x                  = 0.; ///< contact and oil [N/m]
-    double       T_y                  = 0.; ///< contact and oil [N/m]
-    double       mu                   = 0.; ///< 0 as long as nothing is loaded
-    double       contact_fraction     = 0.; ///< of the period
-    double       max_contact_pressure = 0.; ///< [Pa]
+    double       time                 = 0.;
+    double       sliding_distance     = 0.;
+    double       T_x                  = 0.;
+    double       T_y                  = 0.;
+    double       mu                   = 0.;
+    double       contact_fraction     = 0.;
+    double       max_contact_pressure = 0.;
     double       max_plastic_strain   = 0.;
-    double       max_temperature      = 0.; ///< [K]
-    double       mean_gap             = 0.; ///< [m]
-    double       max_penetration      = 0.; ///< [m], positive
-    double       oil_pressure         = 0.; ///< vertical force over L [Pa]
-    double       max_oil_pressure     = 0.; ///< [Pa]
-    double       oil_T_x              = 0.; ///< by the oil's pressure [N/m]
-    double       shear_T_x            = 0.; ///< by the oil's shear [N/m]
-    double       shear_T_y            = 0.; ///< by the oil's shear [N/m]
-    double       void_volume          = 0.; ///< between the surfaces [m^2]
-    double       oil_volume           = 0.; ///< at its pressure [m^2]
-    double       oil_reference_volume = 0.; ///< at p = 0, its mass [m^2]
+    double       max_temperature      = 0.;
+    double       mean_gap             = 0.;
+    double       max_penetration      = 0.;
+    double       oil_pressure         = 0.;
+    double       max_oil_pressure     = 0.;
+    double       oil_T_x              = 0.;
+    double       shear_T_x            = 0.;
+    double       shear_T_y            = 0.;
+    double       void_volume          = 0.;
+    double       oil_volume           = 0.;
+    double       oil_reference_volume = 0.;
     unsigned int pockets              = 0;
     unsigned int coupling_iterations  = 0;
     unsigned int newton_iterations    = 0;
     unsigned int factorisations       = 0;
-    double       wall_time            = 0.; ///< [s] of this step
+    double       wall_time            = 0.;
+
+    /** For archives of Boost.Serialization; all columns. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int);
   };
 
-  /** Calls f with each entry of a row, in the order of the table's columns. */
-  template <typename Row, typename Function>
-  void
-  for_each_entry(Row &row, const Function &f)
+  /** A unit in which results are stored, and the one that people read. */
+  struct ResultUnit
   {
-    f(row.step);
-    f(row.time);
-    f(row.sliding_distance);
-    f(row.T_x);
-    f(row.T_y);
-    f(row.mu);
-    f(row.contact_fraction);
-    f(row.max_contact_pressure);
-    f(row.max_plastic_strain);
-    f(row.max_temperature);
-    f(row.mean_gap);
-    f(row.max_penetration);
-    f(row.oil_pressure);
-    f(row.max_oil_pressure);
-    f(row.oil_T_x);
-    f(row.shear_T_x);
-    f(row.shear_T_y);
-    f(row.void_volume);
-    f(row.oil_volume);
-    f(row.oil_reference_volume);
-    f(row.pockets);
-    f(row.coupling_iterations);
-    f(row.newton_iterations);
-    f(row.factorisations);
-    f(row.wall_time);
-  }
+    std::string si, people; ///< "m", "um"; empty: a number of an order
+    double      factor = 1., offset = 0.; ///< people = factor * SI + offset
+  };
+
+  /** One entry of a FrictionRow wherever it appears: in friction.csv,
+   *  friction_units.csv, summary.json, checkpoints and documentation. */
+  struct FrictionColumn
+  {
+    std::string name; ///< "sliding distance"
+    ResultUnit  unit;
+    std::string meaning; ///< a sentence
+
+    std::variant<double FrictionRow::*, unsigned int FrictionRow::*> member;
+
+    /** Where summary.json has its value at the end of a run, as a JSON pointer;
+     *  empty: nowhere. */
+    std::string summary;
+
+    /** "time [s]", and "time [us]" in people's units. */
+    std::string
+    heading(const bool people = false) const;
+
+    double
+    value(const FrictionRow &row) const;
+  };
+
+  /** All entries of a FrictionRow, in the order of the table's columns. */
+  const std::vector<FrictionColumn> &
+  friction_columns();
+
+  /** The columns as a table for doc/friction_columns.md. */
+  void
+  write_friction_columns(std::ostream &out);
 
   /**
    * `friction.csv` of an output directory (SI) and its companion
@@ -80,20 +94,34 @@ namespace asperity
   class FrictionTable
   {
   public:
-    /** A new pair of tables; older ones are replaced. */
-    explicit FrictionTable(const std::string &directory);
+    /**
+     * A new pair of tables; older ones are replaced.
+     * @param earlier rows of the run that is continued; that of step 0 has no
+     *   line
+     * @throws ComputationError as append()
+     */
+    explicit FrictionTable(const std::string              &directory,
+                           const std::vector<FrictionRow> &earlier = {});
 
-    /** Continues the tables of a run that restarts after `step`: rows of later
-     *  steps are removed. @throws InputError if the headings differ. */
-    FrictionTable(const std::string &directory, const unsigned int step);
-
-    /** @throws ComputationError naming the column that is not finite. */
+    /** @throws ComputationError naming the column that is not finite, or the
+     *  file that cannot be written */
     void
     append(const FrictionRow &row);
 
   private:
     Table table;
   };
+
+
+
+  template <typename Archive>
+  void
+  FrictionRow::serialize(Archive &archive, const unsigned int)
+  {
+    for (const FrictionColumn &column : friction_columns())
+      std::visit([&](const auto member) { archive &(this->*member); },
+                 column.member);
+  }
 } // namespace asperity
 
 #endif

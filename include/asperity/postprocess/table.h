@@ -2,7 +2,6 @@
 #define asperity_postprocess_table_h
 
 #include <fstream>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -21,34 +20,26 @@ namespace asperity
   };
 
   /**
-   * A comma-separated table that grows by a row a step. The first column
-   * numbers the rows and increases. Every row is on disk before append()
-   * returns, so a killed run leaves whole rows (and at most one torn last line,
-   * which is dropped on restart).
+   * A comma-separated table that grows by a row a step. Every row is on disk
+   * before append() returns, so a killed run leaves whole rows (and at most one
+   * torn last line).
    *
    * Numbers are the shortest decimals that read back as the same double.
    */
   class Table
   {
   public:
-    /** Nothing of an older file is kept. */
-    static constexpr double keep_nothing =
-      -std::numeric_limits<double>::infinity();
-
     /**
-     * @param path the file; replaced if it exists, unless rows are kept
+     * @param path the file; replaced if it exists
      * @param columns headings; a comma, quote or line break is not allowed
      * @param people_path a second file with the rows in people's units, or
      *   empty for none
-     * @param keep_until on a restart: rows of the existing files whose first
-     *   number is at most this stay, later ones are removed
-     * @throws InputError if a heading has such a character, or if rows are to
-     * be kept and the headings differ
+     * @throws InputError if a heading has such a character
+     * @throws ComputationError if a file cannot be written
      */
     Table(const std::string              &path,
           const std::vector<TableColumn> &columns,
-          const std::string              &people_path = "",
-          const double                    keep_until  = keep_nothing);
+          const std::string              &people_path = "");
 
     /**
      * @param row one value a column, in SI units
