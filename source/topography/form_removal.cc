@@ -1,6 +1,6 @@
 #include <asperity/base/errors.h>
+#include <asperity/splines/banded_solver.h>
 #include <asperity/topography/form_removal.h>
-#include <asperity/topography/linear_solver.h>
 
 #include <algorithm>
 
@@ -37,8 +37,9 @@ namespace asperity
       return result;
     }
 
-    /** One least-squares fit, subtracted. */
-    void
+    /** One least-squares fit, subtracted; false if the points do not determine
+     *  it. */
+    bool
     fit_and_subtract(HeightMap &map, const unsigned int degree)
     {
       const auto         terms = products(degree, map.ny == 1);
@@ -46,8 +47,7 @@ namespace asperity
       const auto         px    = legendre_table(map.nx, degree);
       const auto         py    = legendre_table(map.ny, degree);
 
-      SkylineMatrix       matrix(std::vector<unsigned int>(n, 0));
-      std::vector<double> sums(n * n), rhs(n), value(n);
+      std::vector<double> sums(n * n), coefficients(n), value(n);
       for (unsigned int j = 0; j < map.ny; ++j)
         for (unsigned int i = 0; i < map.nx; ++i)
           {
@@ -58,21 +58,25 @@ namespace asperity
               value[k] = px[i][terms[k].first] * py[j][terms[k].second];
             for (unsigned int k = 0; k < n; ++k)
               {
-                rhs[k] += value[k] * z;
+                coefficients[k] += value[k] * z;
                 for (unsigned int l = 0; l <= k; ++l)
                   sums[k * n + l] += value[k] * value[l];
               }
           }
+      BandedSolver normal_equations(n, n - 1, false); // the band is all of it
       for (unsigned int k = 0; k < n; ++k)
-        for (unsigned int l = 0; l <= k; ++l)
-          matrix.add(k, l, sums[k * n + l]);
-      const auto coefficients = matrix.factorize_and_solve(rhs);
+        for (unsigned int l = 0; l < n; ++l)
+          normal_equations.add(k, l, sums[std::max(k, l) * n + std::min(k, l)]);
+      if (!normal_equations.factorize())
+        return false;
+      normal_equations.solve(coefficients);
 
       for (unsigned int j = 0; j < map.ny; ++j)
         for (unsigned int i = 0; i < map.nx; ++i)
           for (unsigned int k = 0; k < n; ++k)
             map(i, j) -=
               coefficients[k] * px[i][terms[k].first] * py[j][terms[k].second];
+      return true;
     }
   } // namespace
 
@@ -85,18 +89,11 @@ namespace asperity
                        " needs " + std::to_string(n_coefficients) +
                        " valid points, and '" + map.provenance.file + "' has " +
                        std::to_string(map.n_valid()) + ".");
-    try
-      {
-        // The second fit removes what the first one left by round-off of the
-        // normal equations.
-        fit_and_subtract(map, degree);
-        fit_and_subtract(map, degree);
-      }
-    catch (const ComputationError &)
-      {
-        throw InputError("The valid points of '" + map.provenance.file +
-                         "' do not determine a form of degree " +
-                         std::to_string(degree) + "; choose a lower one.");
-      }
+    // The second fit removes what the first one left by round-off of the normal
+    // equations.
+    if (!fit_and_subtract(map, degree) || !fit_and_subtract(map, degree))
+      throw InputError("The valid points of '" + map.provenance.file +
+                       "' do not determine a form of degree " +
+                       std::to_string(degree) + "; choose a lower one.");
   }
 } // namespace asperity

@@ -1,9 +1,9 @@
 #include <asperity/base/errors.h>
-#include <asperity/topography/linear_solver.h>
+#include <asperity/splines/banded_solver.h>
+#include <asperity/splines/knot_vector.h>
 #include <asperity/topography/periodic_continuation.h>
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 #include <tuple>
 
@@ -15,8 +15,6 @@ namespace asperity
      * where there are data, strong enough to bridge where there are none. */
     constexpr double bending_on_data   = 1e-7;
     constexpr double bending_at_bridge = 1e-2;
-
-    constexpr unsigned int max_degree = 5;
 
     double
     mean(const std::vector<double> &values)
@@ -74,23 +72,6 @@ namespace asperity
       return sum / norm / profile.spacing;
     }
 
-    /** The degree+1 uniform B-splines that live on a span, at t in [0, 1). */
-    std::array<double, max_degree + 1>
-    uniform_basis(const unsigned int degree, const double t)
-    {
-      std::array<double, max_degree + 1> basis = {{1.}};
-      for (unsigned int p = 1; p <= degree; ++p)
-        for (unsigned int k = p + 1; k-- > 0;)
-          {
-            // Spline k of degree p starts k spans before the end of its
-            // support; both terms are the ramps of Cox and de Boor.
-            const double left  = k > 0 ? (t + p - k) / p * basis[k - 1] : 0.;
-            const double right = k < p ? (k + 1 - t) / p * basis[k] : 0.;
-            basis[k]           = left + right;
-          }
-      return basis;
-    }
-
     /** Weight of sample i of n: 0 near the ends, 1 inside, smooth between. */
     double
     sample_weight(const std::size_t i, const std::size_t n, const double blend)
@@ -103,85 +84,87 @@ namespace asperity
       return t <= 0. ? 0. : t * t * (3. - 2. * t);
     }
 
-    /** A periodic spline: coefficients over uniform knots. */
-    struct PeriodicSpline
+    /** The functions of a basis that live at a position, and their values. */
+    struct LocalBasis
     {
-      unsigned int        degree = 3;
-      std::vector<double> coefficients;
-
-      /** Calls f(coefficient index, basis value) for position u in [0, 1). */
-      template <typename Function>
-      void
-      visit(const double u, const Function &f) const
+      LocalBasis(const KnotVector &knots, const double t)
       {
-        const unsigned int m     = coefficients.size();
-        const auto         span  = std::min<unsigned int>(u * m, m - 1);
-        const auto         basis = uniform_basis(degree, u * m - span);
-        for (unsigned int k = 0; k <= degree; ++k)
-          f((span + k) % m, basis[k]);
+        const unsigned int span = knots.find_span(t);
+        functions               = knots.span_functions(span);
+        values                  = knots.evaluate(span, t)[0];
       }
 
-      double
-      operator()(const double u) const
-      {
-        double value = 0.;
-        visit(u, [&](const unsigned int i, const double b) {
-          value += b * coefficients[i];
-        });
-        return value;
-      }
+      std::vector<unsigned int> functions;
+      std::vector<double>       values;
     };
 
-    /** Lower band, and full last rows, where the spline wraps around. */
-    SkylineMatrix
-    cyclic_matrix(const unsigned int m, const unsigned int degree)
+    /** One knot a unit of length, so that the spline repeats after @p m. */
+    KnotVector
+    uniform_knots(const unsigned int degree, const unsigned int m)
     {
-      std::vector<unsigned int> first(m, 0);
-      for (unsigned int i = degree; i + degree < m; ++i)
-        first[i] = i - degree;
-      return SkylineMatrix(first);
+      std::vector<double> breakpoints(m + 1);
+      std::iota(breakpoints.begin(), breakpoints.end(), 0.);
+      return KnotVector(degree, breakpoints, true);
     }
 
+    /** Second differences of neighbouring coefficients, squared. */
     void
-    fit(PeriodicSpline            &spline,
-        const std::vector<double> &z,
-        const double               blend)
+    add_bending(const KnotVector &knots,
+                const std::size_t n_samples,
+                const double      blend,
+                BandedSolver     &matrix)
     {
-      const unsigned int  m      = spline.coefficients.size();
-      const std::size_t   n      = z.size();
-      SkylineMatrix       matrix = cyclic_matrix(m, spline.degree);
-      std::vector<double> rhs(m, 0.);
-      for (std::size_t i = 0; i < n; ++i)
-        {
-          const double weight = sample_weight(i, n, blend);
-          const double u      = static_cast<double>(i) / n;
-          spline.visit(u, [&](const unsigned int k, const double bk) {
-            rhs[k] += weight * bk * z[i];
-            spline.visit(u, [&](const unsigned int l, const double bl) {
-              if (l <= k)
-                matrix.add(k, l, weight * bk * bl);
-            });
-          });
-        }
+      const unsigned int        m       = knots.n_basis();
+      const std::vector<double> centres = knots.greville();
       for (unsigned int k = 0; k < m; ++k)
         {
           // Coefficient k+1 stands near this sample.
-          const double centre =
-            std::fmod(k + 1. + m - 0.5 * (spline.degree - 1.), m) / m;
-          const auto sample =
-            std::min<std::size_t>(std::lround(centre * n), n - 1);
+          const double centre = knots.wrap(centres[(k + 1) % m]) / m;
+          const auto   sample =
+            std::min<std::size_t>(std::lround(centre * n_samples),
+                                  n_samples - 1);
           const double bending =
             (bending_on_data +
-             bending_at_bridge * (1. - sample_weight(sample, n, blend))) *
-            n / m;
-          const unsigned int index[] = {k, (k + 1) % m, (k + 2) % m};
-          const double       d[]     = {1., -2., 1.};
+             bending_at_bridge *
+               (1. - sample_weight(sample, n_samples, blend))) *
+            n_samples / m;
+          const double d[] = {1., -2., 1.};
           for (unsigned int a = 0; a < 3; ++a)
             for (unsigned int b = 0; b < 3; ++b)
-              if (index[b] <= index[a])
-                matrix.add(index[a], index[b], bending * d[a] * d[b]);
+              matrix.add((k + a) % m, (k + b) % m, bending * d[a] * d[b]);
         }
-      spline.coefficients = matrix.factorize_and_solve(rhs);
+    }
+
+    /** Coefficients of the penalised least-squares spline. */
+    std::vector<double>
+    fit(const KnotVector          &knots,
+        const std::vector<double> &z,
+        const double               blend)
+    {
+      const unsigned int  m = knots.n_basis();
+      const std::size_t   n = z.size();
+      BandedSolver        matrix(m, std::max(2u, knots.degree()), true);
+      std::vector<double> rhs(m, 0.);
+      for (std::size_t i = 0; i < n; ++i)
+        {
+          const double     weight = sample_weight(i, n, blend);
+          const LocalBasis basis(knots, static_cast<double>(i) * m / n);
+          for (unsigned int a = 0; a <= knots.degree(); ++a)
+            {
+              rhs[basis.functions[a]] += weight * basis.values[a] * z[i];
+              for (unsigned int b = 0; b <= knots.degree(); ++b)
+                matrix.add(basis.functions[a],
+                           basis.functions[b],
+                           weight * basis.values[a] * basis.values[b]);
+            }
+        }
+      add_bending(knots, n, blend, matrix);
+      if (!matrix.factorize())
+        throw ComputationError("The wrapped spline of the profile is not "
+                               "determined by its " +
+                               std::to_string(n) + " samples.");
+      matrix.solve(rhs);
+      return rhs;
     }
 
     Profile
@@ -190,24 +173,28 @@ namespace asperity
          ContinuationReport         &report)
     {
       const std::size_t n = profile.heights.size();
-      PeriodicSpline    spline;
-      spline.degree  = options.degree;
-      report.n_knots = static_cast<unsigned int>(
+      report.n_knots      = static_cast<unsigned int>(
         std::max(2. * options.degree + 1., n / options.samples_per_knot));
       if (report.n_knots > n)
         throw InputError(
           "A wrapped spline of degree " + std::to_string(options.degree) +
           " needs at least " + std::to_string(report.n_knots) +
           " samples, and the profile has " + std::to_string(n) + ".");
-      spline.coefficients.resize(report.n_knots);
-      fit(spline, profile.heights, options.blend_fraction);
+      const KnotVector knots = uniform_knots(options.degree, report.n_knots);
+      const std::vector<double> coefficients =
+        fit(knots, profile.heights, options.blend_fraction);
 
       Profile     result = profile;
       std::size_t n_data = 0;
       result.periodic    = true;
       for (std::size_t i = 0; i < n; ++i)
         {
-          result.heights[i] = spline(static_cast<double>(i) / n);
+          const LocalBasis basis(knots,
+                                 static_cast<double>(i) * report.n_knots / n);
+          result.heights[i] = 0.;
+          for (unsigned int a = 0; a <= options.degree; ++a)
+            result.heights[i] +=
+              basis.values[a] * coefficients[basis.functions[a]];
           if (sample_weight(i, n, options.blend_fraction) < 1.)
             continue;
           const double change =

@@ -1,5 +1,4 @@
 #include <asperity/base/errors.h>
-#include <asperity/topography/linear_solver.h>
 #include <asperity/topography/periodic_continuation.h>
 #include <asperity/topography/profile.h>
 
@@ -130,38 +129,6 @@ TEST(ExtractProfile, a_missing_corner_without_weight_does_not_count)
     n_missing += std::isnan(z);
   EXPECT_GE(n_missing, 1u);
   EXPECT_LE(n_missing, 4u);
-}
-
-TEST(SkylineMatrix, solves_a_cyclic_system)
-{
-  const unsigned int        n = 12;
-  std::vector<unsigned int> first(n);
-  for (unsigned int i = 0; i < n; ++i)
-    first[i] = i == 0 ? 0 : i - 1;
-  first[n - 1] = 0;
-  SkylineMatrix       matrix(first);
-  std::vector<double> solution(n), rhs(n);
-  for (unsigned int i = 0; i < n; ++i)
-    solution[i] = std::cos(i * i);
-  for (unsigned int i = 0; i < n; ++i)
-    {
-      matrix.add(i, i, 2.5);
-      matrix.add(i, (i + 1) % n, -1.);
-      rhs[i] =
-        2.5 * solution[i] - solution[(i + 1) % n] - solution[(i + n - 1) % n];
-    }
-  const auto x = matrix.factorize_and_solve(rhs);
-  for (unsigned int i = 0; i < n; ++i)
-    EXPECT_NEAR(x[i], solution[i], 1e-14);
-}
-
-TEST(SkylineMatrix, singular_system_is_an_error)
-{
-  SkylineMatrix matrix({0, 0});
-  matrix.add(0, 0, 1.);
-  matrix.add(0, 1, 1.);
-  matrix.add(1, 1, 1.);
-  EXPECT_THROW(matrix.factorize_and_solve({1., 1.}), ComputationError);
 }
 
 TEST(PeriodicContinuation, periodic_waves_pass_the_wrapped_spline)
