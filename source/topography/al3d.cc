@@ -1,6 +1,7 @@
 #include <asperity/topography/file_content.h>
 #include <asperity/topography/read_height_map.h>
 
+#include <algorithm>
 #include <map>
 
 // Alicona's format: a table of text tags, then float32 metres in padded rows.
@@ -51,11 +52,17 @@ namespace asperity
                 "has no height image, or is cut off before it "
                 "(DepthImageOffset " +
                   std::to_string(offset) + ")");
+    // Pictures of other kinds may follow, or stand before.
+    std::int64_t end_of_image = file.bytes().size();
+    for (const auto &[key, value] : tags)
+      if (key.size() > 6 && key.compare(key.size() - 6, 6, "Offset") == 0)
+        if (double other = 0.; parse_decimal(value, other) && other > offset)
+          end_of_image = std::min<double>(end_of_image, other);
     HeightMap map = allocate_map(file,
                                  format,
                                  integer("Cols"),
                                  integer("Rows"),
-                                 file.bytes().size() - offset,
+                                 end_of_image - offset,
                                  sizeof(float));
     map.dx        = number("PixelSizeXMeter");
     map.dy        = number("PixelSizeYMeter");
@@ -76,6 +83,8 @@ namespace asperity
               std::abs(raw - invalid) > 1e-6 * std::abs(invalid))
             map(column, row) = raw;
         }
+    check_surplus(
+      file, offset + map.ny * row_bytes, end_of_image, sizeof(float), map);
     map.provenance.unit_source = "AL3D fixes metres";
     map.provenance.description = "Alicona, " + tags["CreatingApplication"];
     return map;

@@ -1,7 +1,9 @@
 #include <asperity/base/errors.h>
 #include <asperity/topography/file_content.h>
 
-#include <cerrno>
+#include <boost/locale/utf.hpp>
+
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -102,6 +104,56 @@ namespace asperity
     return map;
   }
 
+  void
+  check_surplus(const FileContent &file,
+                const std::size_t  end,
+                const std::size_t  limit,
+                const std::size_t  bytes_per_point,
+                HeightMap         &map)
+  {
+    if (limit <= end)
+      return;
+    const std::size_t surplus = limit - end;
+    const std::string size =
+      std::to_string(map.nx) + " x " + std::to_string(map.ny);
+    if (surplus >= map.nx * bytes_per_point &&
+        !looks_like_text(file.bytes().substr(end, surplus)))
+      file.fail(map.provenance.format,
+                "holds " + std::to_string(surplus) + " more bytes than its " +
+                  size + " heights of " + std::to_string(bytes_per_point) +
+                  " bytes need: its header states another size than its data "
+                  "have");
+    map.provenance.warnings.push_back(
+      std::to_string(surplus) + " bytes behind the " + size +
+      " heights that the header states are not read.");
+  }
+
+  void
+  check_unpacked_size(const FileContent  &file,
+                      const std::string  &format,
+                      const std::uint64_t unpacked)
+  {
+    if (unpacked > (std::uint64_t(1) << 26) &&
+        unpacked / 100 > file.bytes().size())
+      file.fail(format,
+                "has " + std::to_string(file.bytes().size()) +
+                  " bytes and states that they unpack to " +
+                  std::to_string(unpacked) +
+                  "; at most a hundred times as many are expected");
+  }
+
+  bool
+  parse_decimal(const std::string &text, double &value)
+  {
+    // strtod skips blanks and takes hexadecimal numbers, which nobody means.
+    if (text.empty() || text.find_first_of(std::string(" \t\r\n\v\fxX\0", 9)) !=
+                          std::string::npos)
+      return false;
+    char *end = nullptr;
+    value     = std::strtod(text.c_str(), &end);
+    return end == text.c_str() + text.size();
+  }
+
   double
   parse_number(const FileContent &file,
                const std::string &format,
@@ -109,11 +161,10 @@ namespace asperity
                const std::string &text)
   {
     const std::string number = strip(text);
-    char             *end    = nullptr;
-    const double      value  = std::strtod(number.c_str(), &end);
-    if (number.empty() || *end != '\0' || !std::isfinite(value))
+    double            value  = 0.;
+    if (!parse_decimal(number, value) || !std::isfinite(value))
       file.fail(format,
-                "has '" + number.substr(0, 40) + "' as " + what +
+                "has '" + excerpt(number) + "' as " + what +
                   "; a number is expected");
     return value;
   }
@@ -127,9 +178,54 @@ namespace asperity
     const double value = parse_number(file, format, what, text);
     if (value != std::floor(value) || std::abs(value) > 1e15)
       file.fail(format,
-                "has '" + strip(text).substr(0, 40) + "' as " + what +
+                "has '" + excerpt(strip(text)) + "' as " + what +
                   "; a whole number is expected");
     return static_cast<std::int64_t>(value);
+  }
+
+  bool
+  looks_like_text(const std::string &bytes)
+  {
+    const std::size_t n = std::min<std::size_t>(bytes.size(), 4096);
+    return std::none_of(bytes.begin(),
+                        bytes.begin() + n,
+                        [](const unsigned char c) {
+                          return c < 9 || (c > 13 && c < 32) || c == 127;
+                        });
+  }
+
+  std::string
+  printable(const std::string &text)
+  {
+    using Utf8 = boost::locale::utf::utf_traits<char>;
+    std::string result;
+    for (auto at = text.begin(); at != text.end();)
+      {
+        const auto begin = at;
+        const auto code  = Utf8::decode(at, text.end());
+        if (!boost::locale::utf::is_valid_codepoint(code))
+          {
+            result += '?';
+            at = begin + 1;
+          }
+        else if (code < 32 || (code >= 127 && code < 160))
+          result += '?';
+        else
+          result.append(begin, at);
+      }
+    return result;
+  }
+
+  std::string
+  excerpt(const std::string &text)
+  {
+    std::string result = printable(text.substr(0, 200));
+    std::size_t end    = 0;
+    for (unsigned int n = 0; n < 40 && end < result.size(); ++n)
+      do
+        ++end;
+      while (end < result.size() && (result[end] & 0xc0) == 0x80);
+    return result.substr(0, end);
   }
 
   std::string

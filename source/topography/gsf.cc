@@ -27,7 +27,7 @@ namespace asperity
           const auto equal    = line.find('=');
           if (equal == std::string::npos)
             file.fail(format,
-                      "has the header line '" + line.substr(0, 40) +
+                      "has the header line '" + excerpt(line) +
                         "'; 'key = value' is expected");
           header[strip(line.substr(0, equal))] = strip(line.substr(equal + 1));
         }
@@ -46,7 +46,7 @@ namespace asperity
           const double metre = metres_per(name);
           if (metre == 0.)
             file.fail(format,
-                      "has " + key + " = " + name +
+                      "has " + key + " = " + excerpt(name) +
                         "; a unit of length is expected for a height map");
           return metre;
         }
@@ -79,6 +79,11 @@ namespace asperity
                    parse_integer(file, format, "YRes", header["YRes"]),
                    file.bytes().size() - start,
                    sizeof(float));
+    check_surplus(file,
+                  start + map.heights.size() * sizeof(float),
+                  file.bytes().size(),
+                  sizeof(float),
+                  map);
     map.provenance.unit_source = "units in the file's header";
     const double xy_unit =
       unit(file, header["XYUnits"], "XYUnits", options.lateral_unit, map);

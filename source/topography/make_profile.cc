@@ -334,6 +334,7 @@ namespace asperity
     report        = {};
     HeightMap map = read_surface(parameters);
     report.sanity = check_sanity(map);
+    report.steps  = map.provenance.notes;
     remove_spikes_and_crop(parameters, map, report);
     remove_form_and_filter(parameters, map, report);
     report.areal = areal_roughness(map);

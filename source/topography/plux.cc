@@ -44,7 +44,7 @@ namespace asperity
       format,
       parse_integer(file, format, "IMAGE_SIZE_X", text("IMAGE_SIZE_X")),
       parse_integer(file, format, "IMAGE_SIZE_Y", text("IMAGE_SIZE_Y")),
-      1100 * file.bytes().size(),
+      archive.stated_size(layer),
       sizeof(float));
     map.dx = 1e-6 * parse_number(file, format, "FOV_X", text("FOV_X"));
     map.dy = 1e-6 * parse_number(file, format, "FOV_Y", text("FOV_Y"));

@@ -1,5 +1,6 @@
 #include <asperity/topography/file_content.h>
 #include <asperity/topography/read_height_map.h>
+#include <asperity/topography/text_cells.h>
 
 #include <algorithm>
 #include <limits>
@@ -111,6 +112,11 @@ namespace asperity
           default:
             read_raw<double>(file, 81, z_scale, map);
         }
+      check_surplus(file,
+                    81 + map.heights.size() * sizes.at(type),
+                    file.bytes().size(),
+                    sizes.at(type),
+                    map);
       map.provenance.description = file.field(8, 10);
       return map;
     }
@@ -183,7 +189,7 @@ namespace asperity
                       "is cut off: its size states " +
                         std::to_string(map.heights.size()) +
                         " heights, and it lists " + std::to_string(i));
-          if (word != "BAD" && word != "NaN" && word != "nan")
+          if (!is_void_word(word))
             map.heights[i] =
               scale * parse_number(file,
                                    format,

@@ -5,6 +5,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <vector>
 
 // Digital Surf (MountainsMap) files, plain and compressed.
 namespace asperity
@@ -50,7 +51,7 @@ namespace asperity
         return metre;
       if (!name.empty())
         file.fail(format,
-                  "has '" + name + "' as unit along " + axis +
+                  "has '" + excerpt(name) + "' as unit along " + axis +
                     "; a unit of length is expected");
       if (given > 0.)
         return given;
@@ -60,51 +61,72 @@ namespace asperity
       return 1.;
     }
 
-    /** u32 n, n times (u32 raw length, u32 packed length), then the streams. */
-    std::string
-    inflate_streams(const FileContent &file,
-                    const std::string &format,
-                    const std::size_t  start,
-                    const std::size_t  need)
+    /** Where a packed stream lies in the file, and what it unpacks to. */
+    struct PackedStream
     {
-      const std::size_t n      = file.number<std::uint32_t>(start);
-      std::size_t       packed = start + 4 + 8 * n;
+      std::size_t begin      = 0;
+      std::size_t length     = 0;
+      std::size_t raw_length = 0;
+    };
+
+    /** u32 n, n times (u32 raw length, u32 packed length), then the streams. */
+    std::vector<PackedStream>
+    find_streams(const FileContent &file, const std::size_t start)
+    {
+      const std::size_t n = file.number<std::uint32_t>(start);
       file.require(start + 4, 8 * n);
-      std::string raw;
+      std::vector<PackedStream> streams(n);
+      std::size_t               begin = start + 4 + 8 * n;
       for (std::size_t i = 0; i < n; ++i)
         {
-          const std::size_t raw_length =
-            file.number<std::uint32_t>(start + 4 + 8 * i);
-          const std::size_t packed_length =
-            file.number<std::uint32_t>(start + 8 + 8 * i);
-          file.require(packed, packed_length);
-          if (raw_length > need - raw.size())
-            file.fail(format,
-                      "holds more compressed heights than its size states");
-          std::string block(raw_length, '\0');
-          uLongf      length = raw_length;
-          const int   status =
-            uncompress(reinterpret_cast<Bytef *>(block.data()),
+          streams[i] = {begin,
+                        file.number<std::uint32_t>(start + 8 + 8 * i),
+                        file.number<std::uint32_t>(start + 4 + 8 * i)};
+          file.require(begin, streams[i].length);
+          begin += streams[i].length;
+        }
+      return streams;
+    }
+
+    std::size_t
+    raw_length(const FileContent               &file,
+               const std::string               &format,
+               const std::vector<PackedStream> &streams)
+    {
+      std::size_t sum = 0;
+      for (const PackedStream &stream : streams)
+        sum += stream.raw_length;
+      check_unpacked_size(file, format, sum);
+      return sum;
+    }
+
+    std::string
+    inflate_streams(const FileContent               &file,
+                    const std::string               &format,
+                    const std::vector<PackedStream> &streams)
+    {
+      std::string raw(raw_length(file, format, streams), '\0');
+      std::size_t position = 0;
+      for (const PackedStream &stream : streams)
+        {
+          uLongf    length = stream.raw_length;
+          const int status =
+            uncompress(reinterpret_cast<Bytef *>(raw.data() + position),
                        &length,
                        reinterpret_cast<const Bytef *>(file.bytes().data()) +
-                         packed,
-                       packed_length);
-          if (status != Z_OK || length != raw_length)
+                         stream.begin,
+                       stream.length);
+          if (status != Z_OK || length != stream.raw_length)
             file.fail(format, "has damaged compressed heights");
-          raw += block;
-          packed += packed_length;
+          position += length;
         }
-      if (raw.size() < need)
-        file.fail(format,
-                  "is cut off: its heights need " + std::to_string(need) +
-                    " bytes, and the compressed ones have " +
-                    std::to_string(raw.size()));
       return raw;
     }
 
     void
     check_kind(const FileContent &file,
                const std::string &format,
+               const std::size_t  start,
                HeightMap         &map)
     {
       const int objects = file.number<std::uint16_t>(at::objects);
@@ -118,6 +140,15 @@ namespace asperity
         map.provenance.warnings.push_back("The file holds " +
                                           std::to_string(objects) +
                                           " objects; the first one is read.");
+      else if (!file.starts_with("DSCOMPRESSED"))
+        {
+          const std::size_t bytes = file.number<std::uint16_t>(at::bits) / 8;
+          check_surplus(file,
+                        start + map.heights.size() * bytes,
+                        file.bytes().size(),
+                        bytes,
+                        map);
+        }
     }
 
     /** Raw heights to metres; zmin-2 marks a missing point. */
@@ -158,16 +189,22 @@ namespace asperity
     const std::size_t start   = header_size + comment + secret;
     file.require(start, 0);
 
-    // Deflate packs at most 1032 : 1.
-    const std::size_t available =
-      (file.bytes().size() - start) * (compressed ? 1032 : 1);
-    HeightMap map = allocate_map(file,
+    std::vector<PackedStream> streams;
+    if (compressed)
+      streams = find_streams(file, start);
+    const std::size_t available = compressed ?
+                                    raw_length(file, format, streams) :
+                                    file.bytes().size() - start;
+    HeightMap         map       = allocate_map(file,
                                  format,
                                  file.number<std::int32_t>(at::nx),
                                  file.number<std::int32_t>(at::ny),
                                  available,
                                  bits / 8);
-    check_kind(file, format, map);
+    const std::size_t need      = map.heights.size() * (bits / 8);
+    if (compressed && available > need)
+      file.fail(format, "holds more compressed heights than its size states");
+    check_kind(file, format, start, map);
     map.provenance.unit_source = "units in the file's header";
     map.dx                     = file.number<float>(at::dx) *
              unit(file, format, at::x_unit, "x", options.lateral_unit, map);
@@ -183,9 +220,8 @@ namespace asperity
 
     const float       z_offset = file.number<float>(at::z_offset);
     const double      offset = std::isfinite(z_offset) ? z_offset * z_unit : 0.;
-    const std::size_t need   = map.heights.size() * (bits / 8);
     const std::string raw =
-      compressed ? inflate_streams(file, format, start, need) : std::string();
+      compressed ? inflate_streams(file, format, streams) : std::string();
     const char *data = compressed ? raw.data() : file.bytes().data() + start;
     if (bits == 16)
       convert<std::int16_t>(file, data, dz * z_unit, offset, map);

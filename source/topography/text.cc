@@ -1,268 +1,213 @@
-#include <asperity/base/errors.h>
-#include <asperity/topography/file_content.h>
 #include <asperity/topography/read_height_map.h>
+#include <asperity/topography/text_header.h>
+#include <asperity/topography/text_list.h>
 
-#include <algorithm>
-#include <cstdlib>
+#include <cmath>
 
-// Text: a matrix of heights, or lines "x y z". Which one it is, which
-// separator and which decimal sign it uses, is seen from its lines.
+// Text: a matrix of heights, or a list of points "x z" or "x y z". Which one it
+// is, which separator and which decimal sign it uses, is seen from its lines.
 namespace asperity
 {
   namespace
   {
-    using Rows = std::vector<std::vector<double>>;
-
-    struct Dialect
+    /** "a, b and c" */
+    std::string
+    enumerate(const std::vector<std::string> &parts)
     {
-      char separator     = ' '; // blanks stand for any number of blanks, tabs
-      bool decimal_comma = false;
-    };
-
-    Dialect
-    find_dialect(const std::string &line)
-    {
-      const auto has = [&line](const char c) {
-        return line.find(c) != std::string::npos;
-      };
-      Dialect dialect;
-      if (has(';'))
-        dialect.separator = ';';
-      else if (has(',') && (has('.') || !(has('\t') || has(' '))))
-        dialect.separator = ',';
-      // With a comma as separator between values, blanks may follow it.
-      else if (has(',') && line.find(", ") != std::string::npos)
-        dialect.separator = ',';
-      dialect.decimal_comma = dialect.separator != ',' && has(',');
-      return dialect;
+      std::string text;
+      for (std::size_t i = 0; i < parts.size(); ++i)
+        text += (i == 0                ? "" :
+                 i + 1 == parts.size() ? " and " :
+                                         ", ") +
+                parts[i];
+      return text;
     }
 
-    std::vector<std::string>
-    split_line(const std::string &line, const char separator)
+    /** Refuses a text of which @p missing entries are not known. */
+    [[noreturn]] void
+    ask_for(const FileContent              &file,
+            const std::string              &format,
+            const TextHeader               &header,
+            const std::string              &what,
+            const std::vector<std::string> &missing)
     {
-      std::vector<std::string> words;
-      if (separator != ' ')
-        {
-          std::size_t begin = 0;
-          for (;;)
-            {
-              const auto end = line.find(separator, begin);
-              words.push_back(strip(line.substr(begin, end - begin)));
-              if (end == std::string::npos)
-                break;
-              begin = end + 1;
-            }
-          if (words.back().empty()) // separator at the end of the line
-            words.pop_back();
-          return words;
-        }
-      std::size_t begin = line.find_first_not_of(" \t");
-      while (begin != std::string::npos)
-        {
-          const auto end = line.find_first_of(" \t", begin);
-          words.push_back(line.substr(begin, end - begin));
-          begin =
-            end == std::string::npos ? end : line.find_first_not_of(" \t", end);
-        }
-      return words;
+      std::string found;
+      for (const std::string &line : header.not_understood)
+        found +=
+          (found.empty() ? " (of its header, '" : ", '") + excerpt(line) + "'";
+      if (!found.empty())
+        found += " is no length that is understood)";
+      file.fail(format,
+                what + found + "; give " + enumerate(missing) +
+                  " in the subsection Topography of a parameter file");
     }
 
-    bool
-    is_missing(const std::string &word)
+    /** The user may repeat what the header says, but not contradict it. */
+    void
+    compare(const FileContent           &file,
+            const std::string           &entry,
+            const double                 given,
+            const std::optional<double> &stated,
+            const TextHeader            &header)
     {
-      static const std::vector<std::string> words = {"",
-                                                     "NaN",
-                                                     "nan",
-                                                     "NAN",
-                                                     "BAD",
-                                                     "bad",
-                                                     "-",
-                                                     "--",
-                                                     "---",
-                                                     "***",
-                                                     "inf",
-                                                     "-inf",
-                                                     "Inf",
-                                                     "-Inf",
-                                                     "#N/A",
-                                                     "None",
-                                                     "null",
-                                                     "n/a",
-                                                     "NA"};
-      return std::find(words.begin(), words.end(), word) != words.end();
+      if (given > 0. && stated && std::abs(given / *stated - 1.) > 0.01)
+        file.fail("text",
+                  "says in its header (" + excerpt(header.lines.front()) +
+                    ", ...) that " + entry + " is " + std::to_string(*stated) +
+                    " m or m per unit, and the parameter file gives another; "
+                    "leave out the entry, or correct the header");
     }
 
-    /** False if the word is neither a number nor a sign of a missing one. */
-    bool
-    read_word(std::string word, const bool decimal_comma, double &value)
-    {
-      value = missing_height;
-      if (is_missing(word))
-        return true;
-      if (decimal_comma)
-        std::replace(word.begin(), word.end(), ',', '.');
-      char *end = nullptr;
-      value     = std::strtod(word.c_str(), &end);
-      // strtod also takes hexadecimal numbers, which nobody means here.
-      return *end == '\0' && word.find_first_of("xX") == std::string::npos;
-    }
-
-    bool
-    read_row(const std::string   &line,
-             const Dialect       &dialect,
-             std::vector<double> &row)
-    {
-      row.clear();
-      bool has_number = false;
-      for (const auto &word : split_line(line, dialect.separator))
-        {
-          double value = 0.;
-          if (!read_word(word, dialect.decimal_comma, value))
-            return false;
-          has_number = has_number || std::isfinite(value);
-          row.push_back(value);
-        }
-      return has_number || row.size() > 1;
-    }
-
-    /** All rows after the title lines; rows have to be equally long. */
-    Rows
-    read_rows(const FileContent &file)
-    {
-      const std::string  &text = file.bytes();
-      Rows                rows;
-      Dialect             dialect;
-      std::vector<double> row;
-      std::size_t         position = 0;
-      for (unsigned int n = 1; position < text.size(); ++n)
-        {
-          const auto end  = std::min(text.find_first_of("\r\n", position), //
-                                    text.size());
-          const auto line = strip(text.substr(position, end - position));
-          position        = end + 1;
-          if (end < text.size() && text[end] == '\r' &&
-              position < text.size() && text[position] == '\n')
-            ++position;
-          if (line.empty() || line.find_first_of("#%;!*/") == 0)
-            continue;
-          if (rows.empty())
-            dialect = find_dialect(line);
-          if (!read_row(line, dialect, row))
-            {
-              if (rows.empty())
-                continue; // a title
-              file.fail("text",
-                        "has '" + line.substr(0, 40) + "' in line " +
-                          std::to_string(n) + "; numbers are expected");
-            }
-          if (!rows.empty() && row.size() != rows.front().size())
-            file.fail("text",
-                      "has " + std::to_string(row.size()) + " values in line " +
-                        std::to_string(n) +
-                        "; as many as in the lines before, " +
-                        std::to_string(rows.front().size()) + ", are expected");
-          rows.push_back(row);
-        }
-      if (rows.empty())
-        file.fail("text", "holds no line of numbers");
-      return rows;
-    }
-
-    /** Sorted coordinates, those closer than a thousandth of the range / n. */
-    std::vector<double>
-    distinct(std::vector<double> values)
-    {
-      std::sort(values.begin(), values.end());
-      const double        range = values.back() - values.front();
-      const double        close = 0.25 * range / values.size();
-      std::vector<double> result;
-      for (const double value : values)
-        if (result.empty() || value - result.back() > close)
-          result.push_back(value);
-      return result;
-    }
-
-    /** The mean step, or 0 if a step differs from it by more than 2 %. */
     double
-    regular_step(const std::vector<double> &values)
+    height_unit(const FileContent &file,
+                const TextHeader  &header,
+                const ReadOptions &options)
     {
-      if (values.size() < 2)
-        return 0.;
-      const double step =
-        (values.back() - values.front()) / (values.size() - 1);
-      for (std::size_t i = 0; i < values.size(); ++i)
-        if (std::abs(values[i] - values.front() - i * step) > 0.02 * step)
-          return 0.;
-      return step;
+      compare(
+        file, "Height unit", options.height_unit, header.height_unit, header);
+      return header.height_unit.value_or(options.height_unit);
     }
 
-    /** Three columns whose first two span a grid. */
-    bool
-    is_point_list(const Rows          &rows,
-                  std::vector<double> &x,
-                  std::vector<double> &y)
+    void
+    note_source(const TextHeader &header, HeightMap &map)
     {
-      if (rows.front().size() != 3 || rows.size() < 2)
-        return false;
-      for (const auto &row : rows)
-        {
-          if (!std::isfinite(row[0]) || !std::isfinite(row[1]))
-            return false;
-          x.push_back(row[0]);
-          y.push_back(row[1]);
-        }
-      x = distinct(x);
-      y = distinct(y);
-      return (y.size() == 1 || regular_step(y) > 0.) && regular_step(x) > 0. &&
-             x.size() * y.size() < 2 * rows.size();
+      map.provenance.unit_source = "given by the user";
+      if (header.lines.empty())
+        return;
+      map.provenance.unit_source = "lines of the header";
+      std::string note           = "Reading: the header says ";
+      for (const std::string &line : header.lines)
+        note +=
+          (&line == &header.lines.front() ? "'" : ", '") + excerpt(line) + "'";
+      map.provenance.notes.push_back(note + ".");
     }
 
     HeightMap
-    map_of_points(const FileContent         &file,
-                  const Rows                &rows,
-                  const std::vector<double> &x,
-                  const std::vector<double> &y,
-                  const ReadOptions         &options)
+    map_of_points(const FileContent &file,
+                  const TextTable   &table,
+                  const PointList   &list,
+                  const TextHeader  &header,
+                  const ReadOptions &options)
     {
-      const double step_x = regular_step(x);
-      const double step_y = y.size() > 1 ? regular_step(y) : step_x;
-      HeightMap    map    = allocate_map(
-        file, "text, x y z", x.size(), y.size(), x.size() * y.size(), 1);
-      map.dx = step_x * options.lateral_unit;
-      map.dy = step_y * options.lateral_unit;
-      for (const auto &row : rows)
+      const std::string format =
+        list.height_column == 1 ? "text, x z" : "text, x y z";
+      const double z_unit = height_unit(file, header, options);
+      if (!(z_unit > 0.) || !(options.lateral_unit > 0.))
         {
-          const auto i = std::lround((row[0] - x.front()) / step_x);
-          const auto j = std::lround((row[1] - y.front()) / step_y);
-          if (i < 0 || i >= map.nx || j < 0 || j >= map.ny)
-            file.fail("text, x y z", "has points off the grid of the others");
-          map(i, j) = row[2] * options.height_unit;
+          std::vector<std::string> missing;
+          if (!(z_unit > 0.))
+            missing.push_back("the unit of its heights (Height unit)");
+          if (!(options.lateral_unit > 0.))
+            missing.push_back("that of its coordinates (Lateral unit)");
+          ask_for(file, format, header, "carries no unit", missing);
         }
+      HeightMap map =
+        allocate_map(file, format, list.nx, list.ny, list.nx * list.ny, 1);
+      map.dx = list.dx * options.lateral_unit;
+      map.dy = list.dy * options.lateral_unit;
+      for (std::size_t row = 0; row < table.n_rows(); ++row)
+        map.heights[list.place[row]] = table(row, list.height_column) * z_unit;
+      if (table.n_columns > list.height_column + 1)
+        map.provenance.warnings.push_back(
+          "The list holds " + std::to_string(table.n_columns) +
+          " columns; x, y and z are read from the first three.");
       return map;
+    }
+
+    /** A matrix whose first row and column are equally spaced coordinates. */
+    bool
+    has_coordinates_at_its_edges(const TextTable &table)
+    {
+      const auto is_regular = [&](const std::size_t n, const auto &value) {
+        if (n < 5)
+          return false;
+        const double step = value(2) - value(1);
+        for (std::size_t i = 2; i < n; ++i)
+          if (!(std::abs(value(i) - value(i - 1) - step) <=
+                1e-3 * std::abs(step)))
+            return false;
+        // The corner does not continue them, as it would on a plane.
+        return step != 0. &&
+               !(std::abs(value(1) - value(0) - step) <= 1e-3 * std::abs(step));
+      };
+      return is_regular(table.n_columns,
+                        [&](const std::size_t i) { return table(0, i); }) &&
+             is_regular(table.n_rows(),
+                        [&](const std::size_t i) { return table(i, 0); });
+    }
+
+    /** Refuses what would be heights of something else in a matrix. */
+    void
+    check_matrix(const FileContent &file, TextTable &table)
+    {
+      if (table.blocks.size() > 1 && table.blocks.size() < table.n_rows())
+        {
+          const TextTable::Block &second = table.blocks[1];
+          if (second.comment.empty())
+            file.fail("text, matrix",
+                      "has a blank line within its matrix (line " +
+                        std::to_string(second.separator_line) +
+                        "), as between two channels; one matrix is expected");
+          table.keep_first_block();
+        }
+      if (has_coordinates_at_its_edges(table))
+        file.fail("text, matrix",
+                  "has coordinates in its first row and first column; a matrix "
+                  "of heights alone is expected");
+    }
+
+    void
+    compare_size(const FileContent                 &file,
+                 const std::string                 &what,
+                 const std::optional<std::int64_t> &stated,
+                 const std::size_t                  found)
+    {
+      if (stated && *stated != static_cast<std::int64_t>(found))
+        file.fail("text, matrix",
+                  "says in its header that it has " + std::to_string(*stated) +
+                    " " + what + ", and holds " + std::to_string(found));
     }
 
     HeightMap
     map_of_matrix(const FileContent &file,
-                  const Rows        &rows,
+                  const TextTable   &table,
+                  const TextHeader  &header,
                   const ReadOptions &options)
     {
-      if (!(options.spacing_x > 0. && options.spacing_y > 0.))
-        file.fail("text, matrix",
-                  "holds " + std::to_string(rows.front().size()) + " x " +
-                    std::to_string(rows.size()) +
-                    " heights without coordinates; give the spacing of the "
-                    "samples (Spacing x, Spacing y)");
-      HeightMap map = allocate_map(file,
-                                   "text, matrix",
-                                   rows.front().size(),
-                                   rows.size(),
-                                   rows.front().size() * rows.size(),
-                                   1);
-      map.dx        = options.spacing_x;
-      map.dy        = options.spacing_y;
-      for (std::size_t j = 0; j < rows.size(); ++j)
-        for (std::size_t i = 0; i < rows[j].size(); ++i)
-          map(i, j) = rows[j][i] * options.height_unit;
+      const std::string format = "text, matrix";
+      const std::size_t nx = table.n_columns, ny = table.n_rows();
+      compare_size(file, "columns (x-pixels)", header.nx, nx);
+      compare_size(file, "rows (y-pixels)", header.ny, ny);
+      std::optional<double> dx, dy;
+      if (header.length_x)
+        dx = *header.length_x / nx;
+      if (header.length_y)
+        dy = *header.length_y / ny;
+      compare(file, "Spacing x", options.spacing_x, dx, header);
+      compare(file, "Spacing y", options.spacing_y, dy, header);
+      const double             z_unit    = height_unit(file, header, options);
+      const double             spacing_x = dx.value_or(options.spacing_x);
+      const double             spacing_y = dy.value_or(options.spacing_y);
+      std::vector<std::string> missing;
+      if (!(z_unit > 0.))
+        missing.push_back("the unit of its heights (Height unit)");
+      if (!(spacing_x > 0. && spacing_y > 0.))
+        missing.push_back("the spacing of its samples (Spacing x, and Spacing "
+                          "y if it differs)");
+      if (!missing.empty())
+        ask_for(file,
+                format,
+                header,
+                z_unit > 0. ?
+                  "holds " + std::to_string(nx) + " x " + std::to_string(ny) +
+                    " heights without coordinates" :
+                  "carries no unit",
+                missing);
+      HeightMap map = allocate_map(file, format, nx, ny, nx * ny, 1);
+      map.dx        = spacing_x;
+      map.dy        = spacing_y;
+      for (std::size_t i = 0; i < map.heights.size(); ++i)
+        map.heights[i] = table.values[i] * z_unit;
       return map;
     }
   } // namespace
@@ -270,18 +215,18 @@ namespace asperity
   HeightMap
   read_text(const FileContent &file, const ReadOptions &options)
   {
-    const Rows          rows = read_rows(file);
-    std::vector<double> x, y;
-    const bool          is_list = is_point_list(rows, x, y);
-    if (!(options.height_unit > 0.) ||
-        (is_list && !(options.lateral_unit > 0.)))
-      file.fail("text",
-                std::string("carries no unit; give the unit of its heights "
-                            "(Height unit)") +
-                  (is_list ? " and of its coordinates (Lateral unit)" : ""));
-    HeightMap map = is_list ? map_of_points(file, rows, x, y, options) :
-                              map_of_matrix(file, rows, options);
-    map.provenance.unit_source = "given by the user";
+    TextTable  table = read_text_table(file);
+    const auto list  = find_point_list(file, table);
+    if (!list)
+      check_matrix(file, table);
+    const TextHeader header = read_text_header(table.header);
+    HeightMap map = list ? map_of_points(file, table, *list, header, options) :
+                           map_of_matrix(file, table, header, options);
+    note_source(header, map);
+    for (const std::string &note : table.notes)
+      map.provenance.notes.push_back(note);
+    for (const std::string &warning : table.warnings)
+      map.provenance.warnings.push_back(warning);
     return map;
   }
 } // namespace asperity

@@ -1,6 +1,8 @@
 #include <asperity/base/md5.h>
+#include <asperity/base/quantity.h>
 #include <asperity/topography/file_content.h>
 #include <asperity/topography/read_height_map.h>
+#include <asperity/topography/text_cells.h>
 #include <asperity/topography/xml.h>
 #include <asperity/topography/zip_archive.h>
 
@@ -22,6 +24,12 @@ namespace asperity
       double offset    = 0.;
 
       bool has_increment = false;
+
+      bool
+      has_whole_numbers() const
+      {
+        return data == 'I' || data == 'L';
+      }
     };
 
     /** As @p parse_number, but empty or absent elements give @p otherwise. */
@@ -48,11 +56,11 @@ namespace asperity
       const auto data = strip(tree->get<std::string>("DataType", "D"));
       if (type != "I" && type != "A")
         file.fail(format,
-                  "has '" + type + "' as type of axis " + name +
+                  "has '" + excerpt(type) + "' as type of axis " + name +
                     "; I (incremental) or A (absolute) is expected");
       if (data != "I" && data != "L" && data != "F" && data != "D")
         file.fail(format,
-                  "has '" + data + "' as data type of axis " + name +
+                  "has '" + excerpt(data) + "' as data type of axis " + name +
                     "; I, L, F or D is expected");
       axis.type = type[0];
       axis.data = data[0];
@@ -61,6 +69,33 @@ namespace asperity
       axis.increment = optional_number(file, *tree, "Increment", 1.);
       axis.offset    = optional_number(file, *tree, "Offset", 0.);
       return axis;
+    }
+
+    /**
+     * Metres per unit of the stored heights. The schema (iso5436_2.xsd) gives
+     * an increment to incremental axes and to whole numbers; real heights on
+     * an absolute axis are metres, as the reference implementation reads them.
+     */
+    double
+    height_scale(const FileContent &file, const Axis &z, HeightMap &map)
+    {
+      if (z.type == 'I' || z.has_whole_numbers())
+        {
+          if (!z.has_increment)
+            file.fail(format,
+                      "has heights in steps (AxisType " +
+                        std::string(1, z.type) + ", DataType " +
+                        std::string(1, z.data) +
+                        ") without the Increment that gives them a length");
+          return z.increment;
+        }
+      if (z.has_increment && z.increment != 1.)
+        map.provenance.warnings.push_back(
+          "The Increment " + format_number(z.increment) +
+          " of the absolute axis CZ with real heights (DataType " +
+          std::string(1, z.data) +
+          ") is not applied: by ISO 25178-72 such heights are metres.");
+      return 1.;
     }
 
     void
@@ -105,43 +140,65 @@ namespace asperity
         }
     }
 
+    /** The bits of valid.bin, one a point, or an empty string. */
+    std::string
+    read_valid_bits(const FileContent &file,
+                    const ZipArchive  &archive,
+                    const Tree        &link,
+                    const std::size_t  n)
+    {
+      const auto name  = strip(link.get<std::string>("ValidPointsLink", ""));
+      const auto entry = archive.find(name);
+      if (name.empty())
+        return "";
+      if (entry.empty())
+        file.fail(format,
+                  "lacks its list of valid points '" + excerpt(name) + "'");
+      const std::string valid = archive.read(entry, n / 8 + 1024);
+      if (valid.size() < (n + 7) / 8)
+        file.fail(format, "has too few bits in '" + printable(entry) + "'");
+      return valid;
+    }
+
+    /** Points along x and y. */
+    struct MatrixSize
+    {
+      std::int64_t nx = 0;
+      std::int64_t ny = 0;
+    };
+
     /** Heights of bindata/data.bin, missing points of valid.bin. */
-    void
+    HeightMap
     read_binary(const FileContent &file,
                 const ZipArchive  &archive,
                 const Tree        &link,
                 const Axis        &z,
-                HeightMap         &map)
+                const MatrixSize  &size)
     {
-      const std::size_t n = map.heights.size();
-      const auto name     = strip(link.get<std::string>("PointDataLink", ""));
-      const auto entry    = archive.find(name);
+      const auto name  = strip(link.get<std::string>("PointDataLink", ""));
+      const auto entry = archive.find(name);
       if (name.empty() || entry.empty())
-        file.fail(format, "lacks its heights '" + name + "'");
+        file.fail(format, "lacks its heights '" + excerpt(name) + "'");
+      HeightMap         map   = allocate_map(file,
+                                   format,
+                                   size.nx,
+                                   size.ny,
+                                   archive.stated_size(entry),
+                                   size_of(z.data));
+      const std::size_t n     = map.heights.size();
+      const double      scale = height_scale(file, z, map);
       const std::size_t need  = n * size_of(z.data);
       const std::string bytes = archive.read(entry, need);
       if (bytes.size() < need)
         file.fail(format,
                   "is cut off: " + std::to_string(n) + " points need " +
-                    std::to_string(need) + " bytes, and '" + entry + "' has " +
-                    std::to_string(bytes.size()));
+                    std::to_string(need) + " bytes, and '" + printable(entry) +
+                    "' has " + std::to_string(bytes.size()));
       compare_md5(map,
                   link.get<std::string>("MD5ChecksumPointData", ""),
                   bytes);
 
-      const auto valid_name =
-        strip(link.get<std::string>("ValidPointsLink", ""));
-      const auto  valid_entry = archive.find(valid_name);
-      std::string valid;
-      if (!valid_name.empty() && valid_entry.empty())
-        file.fail(format,
-                  "lacks its list of valid points '" + valid_name + "'");
-      if (!valid_name.empty())
-        {
-          valid = archive.read(valid_entry, n / 8 + 1024);
-          if (valid.size() < (n + 7) / 8)
-            file.fail(format, "has too few bits in '" + valid_entry + "'");
-        }
+      const std::string valid = read_valid_bits(file, archive, link, n);
       for (std::size_t i = 0; i < n; ++i)
         {
           const double raw =
@@ -151,18 +208,22 @@ namespace asperity
             ((static_cast<unsigned char>(valid[i / 8]) >> (i % 8)) & 1u);
           // Alicona's exporter writes infinity for a missing point.
           if (is_valid && std::isfinite(raw))
-            map.heights[i] = z.offset + z.increment * raw;
+            map.heights[i] = z.offset + scale * raw;
         }
+      return map;
     }
 
     /** Heights as a list of Datum elements, an empty one is missing. */
-    void
+    HeightMap
     read_list(const FileContent &file,
               const Tree        &list,
               const Axis        &z,
-              HeightMap         &map)
+              const MatrixSize  &size)
     {
-      std::size_t i = 0;
+      HeightMap map =
+        allocate_map(file, format, size.nx, size.ny, list.size(), 1);
+      const double scale = height_scale(file, z, map);
+      std::size_t  i     = 0;
       for (const auto &[name, datum] : list)
         {
           if (name != "Datum")
@@ -174,10 +235,9 @@ namespace asperity
           const auto split = text.find_last_of(";");
           if (split != std::string::npos)
             text = strip(text.substr(split + 1));
-          if (!text.empty() && text != "NaN" && text != "nan")
+          if (!is_void_word(text))
             map.heights[i] =
-              z.offset +
-              z.increment * parse_number(file, format, "Datum", text);
+              z.offset + scale * parse_number(file, format, "Datum", text);
           ++i;
         }
       if (i < map.heights.size())
@@ -185,6 +245,7 @@ namespace asperity
                   "is cut off: its size states " +
                     std::to_string(map.heights.size()) +
                     " heights, and it lists " + std::to_string(i));
+      return map;
     }
 
     std::string
@@ -219,7 +280,8 @@ namespace asperity
                   "grid (SUR or PRF) are expected");
       if (feature != "SUR" && feature != "PRF")
         file.fail(format,
-                  "has FeatureType '" + feature + "'; SUR or PRF is expected");
+                  "has FeatureType '" + excerpt(feature) +
+                    "'; SUR or PRF is expected");
       for (const auto &[axis, name] : {std::make_pair(x, "X"), {y, "Y"}})
         if (axis.type == 'A')
           file.fail(format,
@@ -237,8 +299,8 @@ namespace asperity
       file.fail(format, "has a main.xml without the element ISO5436_2");
     }
 
-    /** Points along x and y; a profile may state its size as a list. */
-    std::pair<std::int64_t, std::int64_t>
+    /** A profile may state its size as a list. */
+    MatrixSize
     read_size(const FileContent &file, const Tree &record)
     {
       const auto list = record.get_optional<std::string>("ListDimension");
@@ -293,7 +355,7 @@ namespace asperity
     if (main_xml.empty())
       file.fail(format, "is a ZIP archive without a main.xml");
     const Tree document =
-      parse_xml(file, format, archive.read(main_xml, std::size_t(1) << 28));
+      parse_xml(file, format, archive.read(main_xml, std::size_t(1) << 26));
     const Tree &root = find_root(file, document);
     const auto  axes = root.get_child_optional("Record1.Axes");
     if (!axes)
@@ -312,17 +374,11 @@ namespace asperity
     const auto list = record->get_child_optional("DataList");
     if (!link && !list)
       file.fail(format, "has neither DataLink nor DataList in its main.xml");
-    const auto [nx, ny] = read_size(file, *record);
-    // What a list or a deflated file can hold is known only after unpacking;
-    // one byte a point and a deflate ratio of 1100 bound the memory.
-    HeightMap map =
-      allocate_map(file, format, nx, ny, 1100 * file.bytes().size(), 1);
     if (x.increment == 0. || y.increment == 0.)
       file.fail(format, "has an Increment of zero; a spacing is expected");
-    if (link)
-      read_binary(file, archive, *link, z, map);
-    else
-      read_list(file, *list, z, map);
+    const MatrixSize size = read_size(file, *record);
+    HeightMap        map  = link ? read_binary(file, archive, *link, z, size) :
+                                   read_list(file, *list, z, size);
     set_spacing(options, x, y, map);
     map.provenance.description = description(root);
     return map;

@@ -5,6 +5,7 @@
 #include <minizip/zip.h>
 
 #include <algorithm>
+#include <cstring>
 
 namespace asperity
 {
@@ -31,7 +32,7 @@ namespace asperity
     if (end == std::string::npos || bytes.size() - end < 22 ||
         bytes.size() - end - 22u < file.number<std::uint16_t>(end + 20))
       file.fail(format, reason);
-    handle = unzOpen64(file.name().c_str());
+    open_stream();
     if (handle == nullptr)
       file.fail(format, reason);
     // A broken table of contents may run in circles.
@@ -48,6 +49,46 @@ namespace asperity
           break;
         names.emplace_back(name);
       }
+  }
+
+  void
+  ZipArchive::open_stream()
+  {
+    stream.bytes           = &file.bytes();
+    zlib_filefunc64_def io = {};
+    io.opaque              = &stream;
+    io.zopen64_file        = [](voidpf opaque, const void *, int) {
+      static_cast<Stream *>(opaque)->position = 0;
+      return opaque;
+    };
+    io.zread_file = [](voidpf, voidpf handle, void *buffer, uLong size) {
+      Stream     &s    = *static_cast<Stream *>(handle);
+      const uLong left = s.bytes->size() - s.position;
+      const uLong n    = std::min(size, left);
+      std::memcpy(buffer, s.bytes->data() + s.position, n);
+      s.position += n;
+      return n;
+    };
+    io.zwrite_file = [](voidpf, voidpf, const void *, uLong) {
+      return uLong(0);
+    };
+    io.ztell64_file = [](voidpf, voidpf handle) {
+      return ZPOS64_T(static_cast<Stream *>(handle)->position);
+    };
+    io.zseek64_file = [](voidpf, voidpf handle, ZPOS64_T offset, int origin) {
+      Stream        &s     = *static_cast<Stream *>(handle);
+      const ZPOS64_T start = origin == ZLIB_FILEFUNC_SEEK_END ?
+                               s.bytes->size() :
+                             origin == ZLIB_FILEFUNC_SEEK_CUR ? s.position :
+                                                                0;
+      if (offset > s.bytes->size() - start)
+        return -1l;
+      s.position = start + offset;
+      return 0l;
+    };
+    io.zclose_file = [](voidpf, voidpf) { return 0; };
+    io.zerror_file = [](voidpf, voidpf) { return 0; };
+    handle         = unzOpen2_64(nullptr, &io);
   }
 
   ZipArchive::~ZipArchive()
@@ -70,14 +111,30 @@ namespace asperity
     return best;
   }
 
+  std::size_t
+  ZipArchive::stated_size(const std::string &entry) const
+  {
+    unz_file_info64 info = {};
+    if (unzLocateFile(handle, entry.c_str(), 1) != UNZ_OK ||
+        unzGetCurrentFileInfo64(
+          handle, &info, nullptr, 0, nullptr, 0, nullptr, 0) != UNZ_OK)
+      file.fail(format, "holds no readable '" + printable(entry) + "'");
+    check_unpacked_size(file, format, info.uncompressed_size);
+    return info.uncompressed_size;
+  }
+
   std::string
   ZipArchive::read(const std::string &entry, const std::size_t max_size) const
   {
-    if (unzLocateFile(handle, entry.c_str(), 1) != UNZ_OK ||
-        unzOpenCurrentFile(handle) != UNZ_OK)
-      file.fail(format, "holds no readable '" + entry + "'");
+    if (stated_size(entry) > max_size)
+      file.fail(format,
+                "holds " + std::to_string(stated_size(entry)) +
+                  " bytes, more than the expected " + std::to_string(max_size) +
+                  ", in '" + printable(entry) + "'");
+    if (unzOpenCurrentFile(handle) != UNZ_OK)
+      file.fail(format, "holds no readable '" + printable(entry) + "'");
 
-    // In blocks, since the stated size may be anything.
+    // In blocks and against the limit, since the stated size may be wrong.
     std::string bytes;
     std::string block(1 << 18, '\0');
     int         n = 0;
@@ -89,14 +146,15 @@ namespace asperity
             unzCloseCurrentFile(handle);
             file.fail(format,
                       "holds more than the expected " +
-                        std::to_string(max_size) + " bytes in '" + entry + "'");
+                        std::to_string(max_size) + " bytes in '" +
+                        printable(entry) + "'");
           }
       }
     const int closed = unzCloseCurrentFile(handle);
     if (n < 0 || closed != UNZ_OK)
       file.fail(format,
-                "is damaged: the checksum or the compressed data of '" + entry +
-                  "' is wrong");
+                "is damaged: the checksum or the compressed data of '" +
+                  printable(entry) + "' is wrong");
     return bytes;
   }
 

@@ -19,10 +19,14 @@ namespace asperity
   class FileContent
   {
   public:
-    /** @throw InputError if the file is missing, unreadable or empty. */
+    /** @throws InputError if the file is missing, unreadable or empty. */
     explicit FileContent(const std::string &file);
 
-    /** Bytes that lie in memory; archives have to be files. */
+    /**
+     * Bytes that lie in memory.
+     *
+     * @throws InputError if there are none.
+     */
     FileContent(const std::string &name, const std::string &bytes);
 
     const std::string &
@@ -43,7 +47,11 @@ namespace asperity
       return content.compare(0, magic.size(), magic) == 0;
     }
 
-    /** A little-endian number at @p offset (the machine is one, too). */
+    /**
+     * A little-endian number at @p offset (the machine is one, too).
+     *
+     * @throws InputError if the file ends before it does.
+     */
     template <typename T>
     T
     number(const std::size_t offset) const
@@ -54,15 +62,19 @@ namespace asperity
       return value;
     }
 
-    /** A fixed field of characters, cut at the first NUL, blanks trimmed. */
+    /**
+     * A fixed field of characters, cut at the first NUL, blanks trimmed.
+     *
+     * @throws InputError if the file ends before it does.
+     */
     std::string
     field(const std::size_t offset, const std::size_t length) const;
 
-    /** @throw InputError if less than @p length bytes follow @p offset. */
+    /** @throws InputError if less than @p length bytes follow @p offset. */
     void
     require(const std::size_t offset, const std::size_t length) const;
 
-    /** @throw InputError "<file> is no readable <format> file: <reason>." */
+    /** @throws InputError "The surface file <file> (<format>) <reason>." */
     [[noreturn]] void
     fail(const std::string &format, const std::string &reason) const;
 
@@ -74,6 +86,8 @@ namespace asperity
   /**
    * An empty map of the given size, after a check that it is plausible and
    * that the @p available bytes hold nx*ny points of @p bytes_per_point.
+   *
+   * @throws InputError if not.
    */
   HeightMap
   allocate_map(const FileContent &file,
@@ -83,19 +97,71 @@ namespace asperity
                const std::size_t  available,
                const std::size_t  bytes_per_point);
 
-  /** Number of the text, or a failure that names @p what. */
+  /**
+   * What the bytes from @p end, where the heights that the header states end,
+   * to @p limit tell: a trailer of text or less than a row is named in the
+   * warnings of the map.
+   *
+   * @throws InputError if they may be further heights: then the header states
+   *   another map than the file holds, and its rows would be sheared.
+   */
+  void
+  check_surplus(const FileContent &file,
+                const std::size_t  end,
+                const std::size_t  limit,
+                const std::size_t  bytes_per_point,
+                HeightMap         &map);
+
+  /**
+   * Bounds what a small file may unpack to: heights of instruments are packed
+   * to a tenth at best, while zeros shrink to a thousandth.
+   *
+   * @throws InputError if @p unpacked bytes are more than a hundred times the
+   *   file, and more than 64 MiB.
+   */
+  void
+  check_unpacked_size(const FileContent  &file,
+                      const std::string  &format,
+                      const std::uint64_t unpacked);
+
+  /** Whether the whole of @p text is a decimal number; infinite if it is too
+   *  large for one. Independent of the case of "inf" and "nan". */
+  bool
+  parse_decimal(const std::string &text, double &value);
+
+  /**
+   * Number of the text.
+   *
+   * @throws InputError that names @p what if it is none, or not finite.
+   */
   double
   parse_number(const FileContent &file,
                const std::string &format,
                const std::string &what,
                const std::string &text);
 
-  /** As parse_number, and the number has to be whole. */
+  /**
+   * As parse_number().
+   *
+   * @throws InputError also if the number is not whole.
+   */
   std::int64_t
   parse_integer(const FileContent &file,
                 const std::string &format,
                 const std::string &what,
                 const std::string &text);
+
+  /** No NUL and no other control character in the first bytes. */
+  bool
+  looks_like_text(const std::string &bytes);
+
+  /** @p text as UTF-8 without control characters: '?' for whatever is not. */
+  std::string
+  printable(const std::string &text);
+
+  /** The first 40 characters of @p text, printable, for messages. */
+  std::string
+  excerpt(const std::string &text);
 
   /** Text without blanks, line ends and NULs around it. */
   std::string
@@ -105,7 +171,11 @@ namespace asperity
   HeightMap
   read_height_map(const FileContent &file, const ReadOptions &options);
 
-  // One reader a format; see read_height_map().
+  /** Whether the content is that of a height map other than plain text. */
+  bool
+  has_height_map_signature(const FileContent &file);
+
+  // One reader a format; see read_height_map(), whose errors they throw.
   HeightMap
   read_x3p(const FileContent &file, const ReadOptions &options);
   HeightMap

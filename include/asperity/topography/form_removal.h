@@ -10,7 +10,7 @@ namespace asperity
    * y of total degree @p degree (1: the plane), fitted to the valid points.
    * A map of one row gets a polynomial in x.
    *
-   * @throw InputError if there are fewer valid points than coefficients, or
+   * @throws InputError if there are fewer valid points than coefficients, or
    *   if they do not determine them (all in one line, say).
    */
   void

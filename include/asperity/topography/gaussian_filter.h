@@ -34,7 +34,7 @@ namespace asperity
   /**
    * S-filter: keep waves longer than the nesting index [m].
    *
-   * @throw InputError if the index is not above two sample spacings, where it
+   * @throws InputError if the index is not above two sample spacings, where it
    *   would do nothing.
    */
   void
@@ -43,7 +43,7 @@ namespace asperity
   /**
    * L-filter: keep waves shorter than the nesting index [m].
    *
-   * @throw InputError as for the S-filter.
+   * @throws InputError as for the S-filter.
    */
   void
   apply_l_filter(HeightMap &map, const double nesting_index);

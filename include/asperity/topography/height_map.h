@@ -27,6 +27,9 @@ namespace asperity
 
     /** One sentence for each oddity that the reader met and lived with. */
     std::vector<std::string> warnings;
+
+    /** One sentence each on what of the file was no height and skipped. */
+    std::vector<std::string> notes;
   };
 
   /**

@@ -49,7 +49,7 @@ namespace asperity
    * Read the file, remove spikes, crop, remove the form, filter, take the
    * profile, fill its gaps, make it periodic and scale it.
    *
-   * @throw InputError if the file or one of the choices is not usable.
+   * @throws InputError if the file or one of the choices is not usable.
    */
   Profile
   make_profile(const TopographyParameters &parameters,

@@ -20,7 +20,7 @@ namespace asperity
   Window
   largest_window_without_holes(const HeightMap &map);
 
-  /** @throw InputError if the window is empty or leaves the map. */
+  /** @throws InputError if the window is empty or leaves the map. */
   HeightMap
   crop(const HeightMap &map, const Window &window);
 
@@ -29,6 +29,8 @@ namespace asperity
    * the median of their up to 24 neighbours by more than @p threshold times the
    * robust standard deviation (1.4826 times the median of the absolute
    * differences) of the whole map. Returns how many.
+   *
+   * @throws InputError if the valid points do not determine a plane.
    */
   std::size_t
   remove_spikes(HeightMap &map, const double threshold);
@@ -37,7 +39,7 @@ namespace asperity
    * Fill missing values by straight lines between their neighbours, ends with
    * the nearest value. Returns how many were filled.
    *
-   * @throw InputError if no value is valid.
+   * @throws InputError if no value is valid.
    */
   std::size_t
   fill_gaps(std::vector<double> &values);

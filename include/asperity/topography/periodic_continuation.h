@@ -75,6 +75,9 @@ namespace asperity
    *
    * none: the profile is repeated as it is, with the jump that it has (for
    * profiles that are periodic already).
+   *
+   * @throws InputError if the profile has fewer than ten samples, or fewer than
+   *   the spline has knots.
    */
   Profile
   make_periodic(const Profile              &profile,

@@ -47,7 +47,7 @@ namespace asperity
    * or y is moved to the nearest row or column, so that it holds measured
    * heights only. A point is missing where one of its neighbours is.
    *
-   * @throw InputError if fewer than @p min_points of the line lie in the map.
+   * @throws InputError if fewer than @p min_points of the line lie in the map.
    */
   Profile
   extract_profile(const HeightMap   &map,

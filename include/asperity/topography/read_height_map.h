@@ -29,13 +29,16 @@ namespace asperity
    * Read @p file. The format is recognised by the content, never by the name:
    * X3P (ISO 25178-72), SDF (ISO 25178-71, ASCII and binary), SUR (Digital
    * Surf, plain and compressed), AL3D (Alicona), PLUX (Sensofar), GSF
-   * (Gwyddion) and text (matrix or x y z columns).
+   * (Gwyddion) and text (matrix, or columns x z or x y z).
    *
    * A file that carries no unit is read as metres with a warning if its format
    * is binary, and refused if it is text without a unit from @p options.
+   * Infinite heights and those beyond 1 km become missing points, with a
+   * warning.
    *
-   * @throw InputError one sentence if the file is missing, empty, cut off,
-   *   of no known format, or of a kind that a height map cannot represent.
+   * @throws InputError one sentence if the file is missing, empty, cut off,
+   *   of no known format, or of a kind that a height map cannot represent, or
+   *   if its header and its data disagree.
    */
   HeightMap
   read_height_map(const std::string &file, const ReadOptions &options = {});
@@ -43,7 +46,7 @@ namespace asperity
   /**
    * Write @p map as X3P: heights as float64, missing points as NaN.
    *
-   * @throw InputError if the file cannot be written.
+   * @throws InputError if the file cannot be written.
    */
   void
   write_x3p(const HeightMap &map, const std::string &file);

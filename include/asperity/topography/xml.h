@@ -12,8 +12,9 @@ namespace asperity
   /**
    * Parse @p text (comments dropped, a byte order mark allowed).
    *
-   * @throw InputError if it is not well-formed, or nested deeper than any
-   *   format that is read here (the parser is recursive).
+   * @throws InputError if it is not well-formed, declares a document type or
+   *   entities, is nested deeper than any format that is read here (the parser
+   *   is recursive), or holds more elements than memory should.
    */
   boost::property_tree::ptree
   parse_xml(const FileContent &file,

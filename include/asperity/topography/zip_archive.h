@@ -11,12 +11,12 @@ namespace asperity
 {
   /**
    * The entries of a ZIP archive (X3P and PLUX files), read one by one through
-   * minizip. The @p file has to outlive it.
+   * minizip from the bytes in memory. The @p file has to outlive it.
    */
   class ZipArchive
   {
   public:
-    /** @throw InputError if @p file is no complete archive. */
+    /** @throws InputError if @p file is no complete archive. */
     ZipArchive(const FileContent &file, const std::string &format);
     ~ZipArchive();
     ZipArchive(const ZipArchive &) = delete;
@@ -32,20 +32,46 @@ namespace asperity
     find(const std::string &tail) const;
 
     /**
-     * The bytes of an entry. Unpacking stops with an error at @p max_size, so
-     * a small archive cannot fill the memory.
+     * The number of bytes that the table of contents states for an entry.
+     *
+     * @throws InputError if the entry is not there, or if so many bytes cannot
+     *   be meant; see check_unpacked_size().
+     */
+    std::size_t
+    stated_size(const std::string &entry) const;
+
+    /**
+     * The bytes of an entry.
+     *
+     * @throws InputError if it is damaged, or if it states or holds more than
+     *   @p max_size bytes; unpacking stops there.
      */
     std::string
     read(const std::string &entry, const std::size_t max_size) const;
 
   private:
+    /** The bytes as minizip sees them: an open file. */
+    struct Stream
+    {
+      const std::string *bytes    = nullptr;
+      std::size_t        position = 0;
+    };
+
+    void
+    open_stream();
+
     const FileContent       &file;
     std::string              format;
+    Stream                   stream;
     void                    *handle = nullptr;
     std::vector<std::string> names;
   };
 
-  /** Write @p entries (name, bytes) deflated, with a fixed date. */
+  /**
+   * Write @p entries (name, bytes) deflated, with a fixed date.
+   *
+   * @throws InputError if the file cannot be written.
+   */
   void
   write_zip(const std::string                                      &file,
             const std::vector<std::pair<std::string, std::string>> &entries);
