@@ -6,15 +6,22 @@
 namespace asperity
 {
   /**
-   * The command `asperity topography FILE.prm`: print what is known of the
-   * surface and of each step to the profile, and write report.json, the
-   * processed surface (surface.x3p), profile.csv, measured_profile.csv and a
-   * picture (topography.svg) into the output directory.
+   * The command `asperity topography FILE`: print what is known of the surface
+   * and of each step to the profile, and write report.json, the processed
+   * surface (surface.x3p), profile.csv, measured_profile.csv and a picture
+   * (topography.svg).
    *
-   * Returns the exit status 0; @throw InputError as make_profile().
+   * FILE is a parameter file, which names the output directory, or a height map
+   * of any format that read_height_map() knows, recognised by its content. For
+   * a map all entries have their defaults (Crop is hole-free if a tenth of its
+   * points is missing), and the files are written into
+   * output/topography/<name of the map without its extension>.
+   *
+   * @return the exit status 0
+   * @throws InputError as make_profile(), or if a file cannot be written
    */
   int
-  topography_report(const std::string &prm_file);
+  topography_report(const std::string &file);
 } // namespace asperity
 
 #endif
