@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -37,9 +36,11 @@ namespace asperity
         {
           const std::string word =
             line.substr(std::min(line.find_first_not_of(" \t"), line.size()));
-          for (const char *start : {"set ", "subsection ", "include "})
-            if (word.compare(0, std::strlen(start), start) == 0)
-              return true;
+          const bool assigns = line.find('=') != std::string::npos;
+          if (word.compare(0, 11, "subsection ") == 0 ||
+              word.compare(0, 8, "include ") == 0 ||
+              (word.compare(0, 4, "set ") == 0 && assigns))
+            return true;
         }
       return false;
     }

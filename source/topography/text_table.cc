@@ -8,6 +8,9 @@ namespace asperity
 {
   namespace
   {
+    // A row of a million cells; they are taken apart one row at a time.
+    constexpr std::size_t longest_line = std::size_t(1) << 23;
+
     /** Lines one by one, whatever ends them: LF, CR LF or CR. */
     class Lines
     {
@@ -105,7 +108,12 @@ namespace asperity
       {
         std::string line;
         while (lines.next(line))
-          if (rows_end.empty())
+          if (line.size() > longest_line)
+            file.fail("text",
+                      "has " + std::to_string(line.size()) + " bytes in line " +
+                        std::to_string(lines.number) + "; at most " +
+                        std::to_string(longest_line) + " are expected");
+          else if (rows_end.empty())
             read_line_of_head(line);
           else
             read_line_of_body(line);

@@ -135,6 +135,105 @@ TEST(BadFiles, x3p_and_zip_archives_that_lack_parts)
   expect_in("nested too deeply", refusal_of_archive({{"main.xml", deep}}));
 }
 
+// The parser is recursive: what it will make of the text has to be foreseen.
+TEST(BadFiles, xml_that_would_exhaust_the_stack_or_time)
+{
+  const auto repeat = [](const std::string &text, const unsigned int n) {
+    std::string result;
+    for (unsigned int i = 0; i < n; ++i)
+      result += text;
+    return result;
+  };
+  const auto refuse = [](const std::string &xml) {
+    return refusal_of_archive({{"main.xml", xml}});
+  };
+  const unsigned int n = 200000;
+  expect_in("nested too deeply",
+            refuse(repeat("<a b=\"/>\">", n) + repeat("</a>", n)));
+  expect_in("nested too deeply",
+            refuse("<!-- " + repeat("</x>", n) + " -->" + repeat("<a>", n)));
+  expect_in("nested too deeply",
+            refuse("<a><![CDATA[" + repeat("</x>", n) + "]]>" +
+                   repeat("<a>", n)));
+  expect_in("cannot be parsed", refuse("<a\">" + repeat("<b>", n) + "\">"));
+  expect_in("document type", refuse(repeat("<!", 4000000)));
+  expect_in("cannot be parsed", refuse(repeat("<!--", 1000000)));
+  expect_in("cannot be parsed", refuse(repeat("</a>", 10)));
+  expect_in("entities",
+            refuse("<!DOCTYPE x [<!ENTITY a \"aaaa\">"
+                   "<!ENTITY b \"&a;&a;&a;\">]><ISO5436>&b;</ISO5436>"));
+  expect_in("more than 1048576 elements",
+            refuse("<a>" + repeat("<b/>", 1100000) + "</a>"));
+}
+
+// A file of some kilobytes must not take the memory of the machine.
+TEST(BadFiles, archives_that_unpack_to_much_more_than_they_are)
+{
+  const std::string zeros(80 << 20, '\0');
+  expect_in("at most a hundred times as many",
+            refusal_of_archive({{"main.xml", zeros}}));
+  std::string xml = x3p_main(axis, x3p_link(false));
+  xml.replace(xml.find("<SizeX>3"), 8, "<SizeX>5242880");
+  expect_in("at most a hundred times as many",
+            refusal_of_archive(
+              {{"main.xml", xml}, {"bindata/data.bin", zeros}}));
+  // The size alone, without the data, takes none.
+  xml.replace(xml.find("<SizeX>5242880"), 14, "<SizeX>100000000");
+  expect_in("is cut off",
+            refusal_of_archive({{"main.xml", xml},
+                                {"bindata/data.bin", std::string(48, '\0')}}));
+  std::string list = x3p_main(axis, "<DataList><Datum>1</Datum></DataList>");
+  list.replace(list.find("<SizeX>3"), 8, "<SizeX>100000000");
+  expect_in("is cut off", refusal_of_archive({{"main.xml", list}}));
+}
+
+// A smaller size would shear the rows: 3 x 2 points are stored.
+TEST(BadFiles, headers_that_state_less_than_the_data_are_refused)
+{
+  const std::string part = "another size than its data";
+  expect_in(part, refusal_of(with<std::uint16_t>(sdf_binary(5), 44, 1)));
+  expect_in(part, refusal_of(with<std::uint16_t>(sdf_binary(7), 42, 2)));
+  expect_in(part, refusal_of(with<std::int32_t>(sur(16, false), 112, 1)));
+  expect_in(part, refusal_of(with<std::int32_t>(sur(32, false), 108, 2)));
+  expect_in("more compressed heights",
+            refusal_of(with<std::int32_t>(sur(32, true), 108, 2)));
+  const auto replaced =
+    [](std::string bytes, const std::string &from, const std::string &to) {
+      return refusal_of(bytes.replace(bytes.find(from), from.size(), to));
+    };
+  expect_in(part, replaced(gsf("t"), "XRes = 3", "XRes = 2"));
+  expect_in(part, replaced(gsf("t"), "YRes = 2", "YRes = 1"));
+  expect_in(part,
+            replaced(al3d(),
+                     std::string("Rows") + std::string(16, '\0') + "2",
+                     std::string("Rows") + std::string(16, '\0') + "1"));
+  expect_in("with '*'",
+            replaced(sdf_ascii(), "NumPoints = 3", "NumPoints = 2"));
+}
+
+TEST(BadFiles, trailers_of_text_are_told_and_not_read)
+{
+  const auto warnings =
+    read_height_map(FileContent("map", sdf_binary(5) + "* operator: x *"), {})
+      .provenance.warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("15 bytes behind the 3 x 2 heights"),
+            std::string::npos)
+    << warnings[0];
+}
+
+TEST(BadFiles, heights_beyond_all_surfaces_are_missing_in_binary_maps_too)
+{
+  const HeightMap map =
+    read_height_map(FileContent("map", with<double>(sdf_binary(7), 81, 1e300)),
+                    {});
+  EXPECT_TRUE(std::isnan(map(0, 0)));
+  EXPECT_NEAR(map(1, 0), 2e-6, 1e-15);
+  ASSERT_EQ(map.provenance.warnings.size(), 1u);
+  EXPECT_NE(map.provenance.warnings[0].find("beyond 1 km"), std::string::npos);
+  expect_in("m apart", refusal_of(with<double>(sdf_binary(5), 46, 1e200)));
+}
+
 TEST(BadFiles, damaged_archive_is_noticed_by_its_checksum)
 {
   const auto file = write_bytes("bad.x3p", "");

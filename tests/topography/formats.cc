@@ -1,3 +1,4 @@
+#include <asperity/base/errors.h>
 #include <asperity/topography/read_height_map.h>
 #include <asperity/topography/zip_archive.h>
 
@@ -104,6 +105,36 @@ TEST(Formats, x3p_with_signed_integers_offset_and_valid_bits)
                                {"bindata/data.bin", raw},
                                {"bindata/valid.bin", "\x2f"}}),
                  "X3P");
+}
+
+// iso5436_2.xsd: the increment is for incremental axes and whole numbers.
+TEST(Formats, x3p_increment_scales_whole_numbers_and_not_real_heights)
+{
+  std::string reals, integers;
+  for (const int um : {1, 2, 3, -4, 0, 6})
+    {
+      append<double>(reals, um == 0 ? missing_height : 1e-6 * um);
+      append<std::int32_t>(integers, um);
+    }
+  const auto read = [](const std::string &type,
+                       const std::string &increment,
+                       const std::string &data) {
+    return read_archive({{"main.xml",
+                          x3p_main("<AxisType>A</AxisType><DataType>" + type +
+                                     "</DataType>" + increment,
+                                   x3p_link(false))},
+                         {"bindata/data.bin", data}});
+  };
+  const HeightMap map = read("D", "<Increment>1e-6</Increment>", reals);
+  expect_the_map(map, "X3P");
+  ASSERT_EQ(map.provenance.warnings.size(), 1u);
+  EXPECT_NE(map.provenance.warnings[0].find("Increment"), std::string::npos);
+  EXPECT_TRUE(
+    read("D", "<Increment>1</Increment>", reals).provenance.warnings.empty());
+  EXPECT_NEAR(read("L", "<Increment>1e-6</Increment>", integers)(1, 0),
+              2e-6,
+              1e-18);
+  EXPECT_THROW(read("L", "", integers), InputError);
 }
 
 TEST(Formats, x3p_in_a_folder_with_copies_of_macos_and_a_bare_root)

@@ -177,6 +177,7 @@ TEST(TextMaps, damaged_rows_are_refused_with_their_cell)
   expect_in("has 'oops' in line 4, column 2", refusal(rest + "\n1 oops 3 4\n"));
   expect_in("has 'Retrace' in line 3, column 1", refusal(rest + "Retrace\n"));
   expect_in("has 3 values in line 3", refusal(rest + "1 2 3\n"));
+  expect_in("at most 8388608", refusal(std::string(9000000, ';')));
   expect_in("has '0x10' in line 3", refusal(rest + "1 2 3 0x10\n"));
   expect_in("is none of X3P", refusal(std::string("1 2 3\n4 5\0 6\n", 12)));
 }
