@@ -22,10 +22,12 @@ namespace asperity
                  "GPa",
                  Range::between(1e6, 2e12),
                  "Young's modulus E at small strain.");
-      d.number("Poisson's ratio",
-               p.poisson_ratio,
-               Range{-1., 0.5, false, false},
-               "Poisson's ratio nu at small strain.");
+      d.number(
+        "Poisson's ratio",
+        p.poisson_ratio,
+        Range::between(-0.9, 0.49),
+        "Poisson's ratio nu at small strain; nearer to 0.5, where a body "
+        "keeps its volume, the splines lock: they hardly yield.");
     }
 
 
@@ -158,15 +160,15 @@ namespace asperity
 
 
   std::optional<double>
-  MaterialParameters::softest_temperature() const
+  MaterialParameters::softest_temperature(const double strength) const
   {
     if (law != MaterialLawName::johnson_cook)
       return {};
-    // 1 - T*^m has fallen to the floor.
+    // 1 - T*^m = strength
     const JohnsonCookParameters &p = johnson_cook;
     return p.transition_temperature +
            (p.melting_temperature - p.transition_temperature) *
-             std::pow(1. - JohnsonCook::thermal_floor, 1. / p.m);
+             std::pow(1. - strength, 1. / p.m);
   }
 
 

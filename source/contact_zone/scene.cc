@@ -267,6 +267,20 @@ namespace asperity
 
 
 
+  double
+  Scene::gap_scale(const SceneParameters &parameters) const
+  {
+    // Gaps are scaled by the tool, the chip, the start: by what is not flat.
+    for (const double scale : {tool_surface.maximum() - tool_surface.minimum(),
+                               chip_surface.maximum() - chip_surface.minimum(),
+                               parameters.geometry.initial_gap})
+      if (scale > 1e-9 * length)
+        return scale;
+    return parameters.lubrication.residual_film;
+  }
+
+
+
   void
   Scene::build_film(const SceneParameters &parameters)
   {
@@ -276,7 +290,7 @@ namespace asperity
     options.wetting        = lubrication.wetting;
     options.gap.residual   = lubrication.residual_film;
     options.pressure_scale = parameters.load.pressure;
-    options.gap_scale      = tool_surface.maximum() - tool_surface.minimum();
+    options.gap_scale      = gap_scale(parameters);
     auto film              = std::make_unique<FilmTerm>(
       *space, geometry, tool_surface.curve, options, n_dofs());
     n_lubricant_unknowns = film->n_unknowns();

@@ -1,10 +1,69 @@
 #include <asperity/contact_zone/scene_computation.h>
 #include <asperity/contact_zone/scene_input.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace asperity
 {
+  namespace
+  {
+    /** Part of the strength that a chip near its melting temperature has left.
+     *  Plastic work, which falls with it, hardly heats beyond that. */
+    constexpr double melted = 0.02;
+
+    /** Whether plastic work has all but melted a point of the chip. */
+    void
+    warn_of_melting(const SlidingRun         &run,
+                    const SceneParameters    &parameters,
+                    std::vector<std::string> &warnings)
+    {
+      const auto melting = parameters.material.softest_temperature(melted);
+      double     hottest = 0.;
+      for (const FrictionRow &row : run.state().rows)
+        hottest = std::max(hottest, row.max_temperature);
+      if (melting && hottest >= *melting)
+        warnings.push_back(
+          "The chip gets as hot as " + format_quantity(hottest, "degC", 5) +
+          " and all but melts there (melting temperature " +
+          format_quantity(parameters.material.johnson_cook.melting_temperature,
+                          "degC",
+                          5) +
+          "); nothing conducts the heat away, so that this is an upper bound.");
+    }
+
+    /** Whether the oil shears as no oil does: the limiting stress grows
+     *  linearly with the pressure, so that its mean over the period belongs
+     *  to the mean pressure. */
+    void
+    warn_of_oil_shear(const SlidingRun         &run,
+                      const double              length,
+                      const SceneParameters    &parameters,
+                      std::vector<std::string> &warnings)
+    {
+      const ViscosityParameters &oil = parameters.lubrication.oil.viscosity;
+      if (oil.stress_limit != StressLimit::none)
+        return;
+      double stress = 0., limit = 0.;
+      for (const FrictionRow &row : run.state().rows)
+        if (std::abs(row.shear_T_x) / length > stress)
+          {
+            stress = std::abs(row.shear_T_x) / length;
+            limit  = oil.limiting_stress +
+                    oil.limiting_stress_slope * std::max(0., row.oil_pressure);
+          }
+      if (stress > limit)
+        warnings.push_back(
+          "The shear stress of the oil reaches a mean of " +
+          format_quantity(stress, "MPa", 3) +
+          " over the period, where oil slips like a plastic solid above " +
+          format_quantity(limit, "MPa", 3) +
+          ", so that mu is too large; set Lubricant/Stress limit = circular.");
+    }
+  } // namespace
+
+
+
   std::vector<std::string>
   warnings_of_run(const std::vector<std::string> &warnings_of_audit,
                   const SlidingRun               &run,
@@ -18,6 +77,8 @@ namespace asperity
       warnings.push_back(
         "mu is not steady after the maximal sliding distance of " +
         format_quantity(parameters.protocol.maximum_distance, "um") + ".");
+    warn_of_melting(run, parameters, warnings);
+    warn_of_oil_shear(run, run.period(), parameters, warnings);
     const LubricantModel model = parameters.lubrication.model;
     if ((model == LubricantModel::reynolds || fills_gap(model)) &&
         run.friction().contact_fraction > 0.)

@@ -5,6 +5,15 @@
 
 namespace asperity
 {
+  namespace
+  {
+    /** Distance from the softest temperature that a failed step mentions [K].
+     */
+    constexpr double near_melting = 50.;
+  } // namespace
+
+
+
   void
   SlidingRun::record(const double seconds)
   {
@@ -82,5 +91,28 @@ namespace asperity
   SlidingRun::judgement() const
   {
     return judge_friction(state_.rows, friction(), protocol_, scene.length);
+  }
+
+
+
+  std::string
+  SlidingRun::remedies() const
+  {
+    std::string           sentences;
+    const auto           &viscosity = parameters.lubrication.oil.viscosity;
+    const LubricantModel &model     = parameters.lubrication.model;
+    if (model != LubricantModel::none && model != LubricantModel::pocket &&
+        viscosity.pressure_law != PressureLaw::none &&
+        viscosity.stress_limit == StressLimit::none)
+      sentences +=
+        " The viscosity of the oil grows with its pressure, and nothing limits "
+        "its shear stress: try Lubricant/Stress limit = circular.";
+    const auto   melting = parameters.material.softest_temperature();
+    const double hottest = state_.rows.back().max_temperature;
+    if (melting && hottest > *melting - near_melting)
+      sentences += " The chip is at " + format_quantity(hottest, "degC", 4) +
+                   ", where it has hardly any strength left below its melting "
+                   "temperature (Material/Johnson-Cook/Melting temperature).";
+    return sentences;
   }
 } // namespace asperity

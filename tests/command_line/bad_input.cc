@@ -84,7 +84,11 @@ TEST_F(BadInput, incompressible_steel)
 {
   EXPECT_EQ(refusal(in("Material", "set Poisson's ratio = 0.5")),
             "Error: scene.prm, line 2, entry 'Material/Poisson's ratio': '0.5' "
-            "is out of range; more than -1 and less than 0.5 is expected.\n");
+            "is out of range; -0.9 to 0.49 is expected.\n");
+  EXPECT_NE(refusal(in("Material", "set Poisson's ratio = 0.4999"))
+              .find("-0.9 to 0.49 is expected"),
+            std::string::npos)
+    << "the splines would lock";
 }
 
 TEST_F(BadInput, temperature_below_absolute_zero)

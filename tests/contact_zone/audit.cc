@@ -52,6 +52,21 @@ TEST(SceneAudit, numbers_follow_their_definitions)
   EXPECT_NEAR(number(audit, "sliding distance over the period"),
               v * 2.5e-7 / 10e-6,
               1e-12);
+  // 2 sqrt(a t), a = k/(rho c) with k = 45 W/(m K) and the chip's own c
+  EXPECT_NEAR(number(audit, "heat length over peak-to-valley height"),
+              2. *
+                std::sqrt(45. /
+                          (rho * parameters.material.heating.heat_capacity) *
+                          2.5e-7) /
+                0.682e-6,
+              0.01);
+  // 10 slide steps over 0.8 of the way
+  EXPECT_NEAR(number(audit, "time steps across the steepest asperity"),
+              0.682 / 0.75 / (v * 2.5e-7 * 0.8 / 10. * 1e6),
+              0.1);
+  EXPECT_NEAR(number(audit, "chip height over the length of an asperity"),
+              5. / (0.682 / 0.75),
+              0.05);
   EXPECT_NEAR(number(audit, "largest slope of the tool"), 0.75, 0.005);
   EXPECT_NEAR(number(audit, "chip height over peak-to-valley height"),
               5. / 0.682,
@@ -60,6 +75,77 @@ TEST(SceneAudit, numbers_follow_their_definitions)
               0.682 / 0.75 / 0.25,
               0.05);
   EXPECT_EQ(audit.inertia, Inertia::quasi_static);
+}
+
+TEST(SceneAudit, heat_spreads_less_in_a_chip_of_larger_heat_capacity)
+{
+  SceneParameters parameters = coarse_scene();
+  const Scene     scene(parameters);
+  const double    length = number(audit_scene(parameters, scene),
+                               "heat length over peak-to-valley height");
+  parameters.material.heating.heat_capacity *= 4.;
+  EXPECT_NEAR(number(audit_scene(parameters, scene),
+                     "heat length over peak-to-valley height"),
+              0.5 * length,
+              1e-12 * length);
+}
+
+TEST(SceneAudit, flat_bodies_have_no_asperities_to_complain_of)
+{
+  SceneParameters parameters   = coarse_scene();
+  parameters.tool.kind         = SurfaceKind::flat;
+  parameters.lubrication.model = LubricantModel::automatic;
+  const Scene      scene(parameters);
+  const SceneAudit audit = audit_scene(parameters, scene);
+  EXPECT_TRUE(audit.warnings.empty()) << audit.warnings.front();
+  // No asperity drives a flow.
+  EXPECT_EQ(number(audit, "pressure differences by flow over the load"), 0.);
+  EXPECT_FALSE(
+    std::isfinite(number(audit, "heat length over peak-to-valley height")));
+}
+
+TEST(SceneAudit, warns_of_waves_and_steps_that_are_too_coarse)
+{
+  SceneParameters parameters          = coarse_scene();
+  parameters.tool.wave_numbers        = {1., 16.};
+  parameters.tool.amplitudes          = {0.2e-6, 1e-9};
+  parameters.tool.phases              = {0., 0.};
+  parameters.protocol.slide_steps     = 1;
+  parameters.load.velocity            = 100.;
+  parameters.protocol.window_fraction = 0.1;
+  SceneAudit audit = audit_scene(parameters, Scene(parameters));
+  // 40/16
+  EXPECT_TRUE(warns(audit, "number 16 of a period, has 2.5 elements"));
+  EXPECT_TRUE(warns(audit, "slides over the steepest asperity in"));
+  EXPECT_TRUE(warns(audit, "shorter than two time steps"));
+
+  parameters                   = coarse_scene();
+  parameters.chip.kind         = SurfaceKind::harmonics;
+  parameters.chip.wave_numbers = {2., 3., 5.};
+  parameters.chip.amplitudes   = {0.03e-6, 0.03e-6, 0.02e-6};
+  parameters.chip.phases       = {1., 2., 3.};
+  parameters.mesh.spans        = 160;
+  const std::string missed     = "height of the chip that its mesh misses";
+  audit                        = audit_scene(parameters, Scene(parameters));
+  EXPECT_LT(number(audit, missed), 0.01);
+  EXPECT_FALSE(warns(audit, "misses the chip's surface"));
+  // Beyond what 160 spans can follow: the whole wave is missed somewhere.
+  parameters.chip.wave_numbers = {2., 3., 110.};
+  audit                        = audit_scene(parameters, Scene(parameters));
+  EXPECT_GT(number(audit, missed), 0.1);
+  EXPECT_TRUE(warns(audit, "misses the chip's surface"));
+}
+
+TEST(SceneAudit, warns_of_a_chip_that_is_a_thin_sheet)
+{
+  SceneParameters parameters = coarse_scene();
+  // Asperities of 0.682/0.75 um times 20
+  parameters.geometry.length = 200e-6;
+  const SceneAudit audit     = audit_scene(parameters, Scene(parameters));
+  EXPECT_NEAR(number(audit, "chip height over the length of an asperity"),
+              5. / 18.19,
+              0.01);
+  EXPECT_TRUE(warns(audit, "Geometry/Chip height"));
 }
 
 TEST(SceneAudit, a_ramp_shorter_than_ten_transits_needs_inertia)

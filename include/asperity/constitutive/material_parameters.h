@@ -41,10 +41,11 @@ namespace asperity
     void
     check(const ParameterDeclarator &parameters) const;
 
-    /** The temperature from which on the flow stress is at its floor [K];
-     *  empty if the law does not melt. */
+    /** The temperature at which only this part of the strength is left [K]: by
+     *  default the floor of the flow stress; empty if the law does not melt. */
     std::optional<double>
-    softest_temperature() const;
+    softest_temperature(
+      const double strength = JohnsonCook::thermal_floor) const;
 
     /** Whether plastic work heats the points of this material. */
     bool

@@ -99,6 +99,10 @@ namespace asperity
     void
     build_film(const SceneParameters &parameters);
 
+    /** A typical gap between the surfaces, positive [m]. */
+    double
+    gap_scale(const SceneParameters &parameters) const;
+
     void
     build_flow(const SceneParameters &parameters);
 

@@ -93,6 +93,10 @@ namespace asperity
     const LoadProtocol &
     protocol() const;
 
+    /** L of the scene [m]. */
+    double
+    period() const;
+
     const NewtonStatistics &
     newton_statistics() const;
 
@@ -105,6 +109,11 @@ namespace asperity
 
     bool
     try_step(const double dt, std::string &reason);
+
+    /** Sentences on what in the parameters may keep a step from a solution,
+     *  each after a blank; empty if nothing is known. */
+    std::string
+    remedies() const;
 
     /** Norm of the chip's residual at which Newton's method ends [N/m]. */
     double
