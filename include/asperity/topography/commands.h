@@ -15,7 +15,7 @@ namespace asperity
    * of any format that read_height_map() knows, recognised by its content. For
    * a map all entries have their defaults (Crop is hole-free if a tenth of its
    * points is missing), and the files are written into
-   * output/topography/<name of the map without its extension>.
+   * output/topography/ and the name of the map without its extension.
    *
    * @return the exit status 0
    * @throws InputError as make_profile(), or if a file cannot be written

@@ -32,8 +32,8 @@ namespace asperity
   read_cell(const std::string &cell, const char separator);
 
   /**
-   * What separates the cells of a line: ';', '\t', ',' or ' ', which stands for
-   * any number of blanks and tabs.
+   * What separates the cells of a line: ';', a tab, ',' or ' ', which stands
+   * for any number of blanks and tabs.
    */
   char
   find_separator(const std::string &line);
