@@ -31,7 +31,7 @@ namespace
 
 
 
-TEST(LubricantDensity, LawsHaveTheValuesOfTheirFormulas)
+TEST(LubricantDensity, laws_have_the_values_of_their_formulas)
 {
   LubricantDensity density;
   // (1 + 10 * 1e9 / 1.6e9)^(1/10) = 7.25^0.1
@@ -47,7 +47,7 @@ TEST(LubricantDensity, LawsHaveTheValuesOfTheirFormulas)
 
 
 
-TEST(LubricantDensity, SlopeInverseAndBulkModulusAgree)
+TEST(LubricantDensity, slope_inverse_and_bulk_modulus_agree)
 {
   for (const DensityLaw law : {DensityLaw::murnaghan,
                                DensityLaw::dowson_higginson,
@@ -76,7 +76,7 @@ TEST(LubricantDensity, SlopeInverseAndBulkModulusAgree)
 
 
 
-TEST(LubricantDensity, DowsonHigginsonEnds)
+TEST(LubricantDensity, dowson_higginson_ends)
 {
   LubricantDensity density;
   density.law = DensityLaw::dowson_higginson;
@@ -86,7 +86,7 @@ TEST(LubricantDensity, DowsonHigginsonEnds)
 
 
 
-TEST(LubricantViscosity, LawsHaveTheValuesOfTheirFormulas)
+TEST(LubricantViscosity, laws_have_the_values_of_their_formulas)
 {
   using S           = ShearLaw;
   using P           = PressureLaw;
@@ -122,7 +122,7 @@ TEST(LubricantViscosity, LawsHaveTheValuesOfTheirFormulas)
 
 
 
-TEST(LubricantViscosity, DerivativesAgreeWithFiniteDifferences)
+TEST(LubricantViscosity, derivatives_agree_with_finite_differences)
 {
   for (const ShearLaw shear : {ShearLaw::newtonian, ShearLaw::carreau})
     for (const PressureLaw law :
@@ -152,7 +152,7 @@ TEST(LubricantViscosity, DerivativesAgreeWithFiniteDifferences)
 
 
 
-TEST(LubricantViscosity, StressStaysBelowTheLimitWhateverThePressure)
+TEST(LubricantViscosity, stress_stays_below_the_limit_whatever_the_pressure)
 {
   for (const PressureLaw law : {PressureLaw::barus, PressureLaw::roelands})
     {
@@ -174,7 +174,7 @@ TEST(LubricantViscosity, StressStaysBelowTheLimitWhateverThePressure)
 
 
 
-TEST(LubricantViscosity, SaysWhereTheLubricantIsSolid)
+TEST(LubricantViscosity, says_where_the_lubricant_is_solid)
 {
   const LubricantViscosity eta =
     viscosity(ShearLaw::carreau, PressureLaw::barus, StressLimit::none);
@@ -191,7 +191,7 @@ TEST(LubricantViscosity, SaysWhereTheLubricantIsSolid)
 
 
 
-TEST(LubricantParameters, AreReadWithUnits)
+TEST(LubricantParameters, are_read_with_units)
 {
   LubricantParameters      oil;
   dealii::ParameterHandler handler;
@@ -228,7 +228,7 @@ TEST(LubricantParameters, AreReadWithUnits)
 
 
 
-TEST(LubricantParameters, RefuseConstantsWithoutPhysicalMeaning)
+TEST(LubricantParameters, refuse_constants_without_physical_meaning)
 {
   const auto message =
     [](const std::function<void(LubricantParameters &)> &set) {

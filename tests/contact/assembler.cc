@@ -149,7 +149,7 @@ namespace
     Vector                             u, direction;
   };
 
-  TEST_P(ContactTerm, ResidualIsTheDerivativeOfThePotential)
+  TEST_P(ContactTerm, residual_is_the_derivative_of_the_potential)
   {
     const double step   = 1e-5;
     const Vector R      = residual(u);
@@ -165,7 +165,7 @@ namespace
     EXPECT_GT(std::count(active.begin(), active.end(), false), 1);
   }
 
-  TEST_P(ContactTerm, TangentIsTheDerivativeOfTheResidual)
+  TEST_P(ContactTerm, tangent_is_the_derivative_of_the_residual)
   {
     dealii::DynamicSparsityPattern couplings(u.size());
     contact->add_couplings(couplings);
@@ -195,7 +195,7 @@ namespace
                     1e-12 * tangent.linfty_norm());
   }
 
-  TEST_P(ContactTerm, ForcesAndMomentsOnBodyAndObstacleBalance)
+  TEST_P(ContactTerm, forces_and_moments_on_body_and_obstacle_balance)
   {
     const Vector R = residual(u);
     // Coefficients of the reference positions: exact, as the map is the
@@ -243,7 +243,7 @@ namespace
     EXPECT_LT((contact->state().force - body_force).norm(), 1e-12 * scale);
   }
 
-  TEST_P(ContactTerm, NoForceActsWhereEveryGapIsOpen)
+  TEST_P(ContactTerm, no_force_acts_where_every_gap_is_open)
   {
     contact->set_multipliers(
       std::vector<double>(contact->multipliers().size()));

@@ -20,7 +20,7 @@ namespace
     example::Discretization discretization;
   };
 
-  TEST_P(HalfPlaneContact, HertzCylinderHasPeakPressureAndHalfWidth)
+  TEST_P(HalfPlaneContact, hertz_cylinder_has_peak_pressure_and_half_width)
   {
     example::HalfPlane body = example::hertz(discretization);
     ASSERT_TRUE(std::isfinite(body.problem->press(body.force, body.depth)))
@@ -46,7 +46,7 @@ namespace
     EXPECT_LT(std::abs(state.force[0]), 1e-6 * body.force);
   }
 
-  TEST_P(HalfPlaneContact, WavySurfaceFollowsWestergaard)
+  TEST_P(HalfPlaneContact, wavy_surface_follows_westergaard)
   {
     discretization.resolution = 128.;
     example::Westergaard wave(discretization);
@@ -72,7 +72,8 @@ namespace
       }
   }
 
-  TEST(MortarContact, FractionIsThatOfTheTouchingZoneForAHardPenaltyToo)
+  TEST(MortarContact,
+       fraction_is_that_of_the_touching_zone_for_a_hard_penalty_too)
   {
     // Points within a hard contact open and close at random.
     example::Discretization discretization;
@@ -86,7 +87,7 @@ namespace
       }
   }
 
-  TEST_P(HalfPlaneContact, AugmentationRemovesWhatASoftPenaltyPenetrates)
+  TEST_P(HalfPlaneContact, augmentation_removes_what_a_soft_penalty_penetrates)
   {
     discretization.resolution     = 64.;
     discretization.penalty_factor = 0.3;

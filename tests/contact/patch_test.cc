@@ -80,7 +80,7 @@ namespace
                       std::tuple<unsigned int, ContactFormulation, bool, bool>>
   {};
 
-  TEST_P(PatchTest, PressureOfAUniformlyPressedBlockIsUniform)
+  TEST_P(PatchTest, pressure_of_a_uniformly_pressed_block_is_uniform)
   {
     const auto [degree, formulation, refined, spline] = GetParam();
     ContactOptions options;
@@ -156,7 +156,7 @@ namespace
   // other knots can follow it at a distance, and the exact solution is one of
   // the discrete problem: all forces on functions without other supports
   // vanish.
-  TEST_P(CurvedPatchTest, HydrostaticPressureIsInEquilibrium)
+  TEST_P(CurvedPatchTest, hydrostatic_pressure_is_in_equilibrium)
   {
     const auto [degree, formulation] = GetParam();
     const auto          space        = block(degree, false);
@@ -228,7 +228,7 @@ namespace
              "Degree" + std::to_string(std::get<0>(info.param));
     });
 
-  TEST(ActiveSet, SettlesWhenFlatBodiesTouchWithoutLoad)
+  TEST(ActiveSet, settles_when_flat_bodies_touch_without_load)
   {
     // All gaps are zero at the start, and the ceiling comes and goes by less
     // and more than round-off: the active set must not flip for ever.

@@ -21,7 +21,7 @@ namespace
                    0.4 * std::sin(4. * M_PI * x + 0.3));
   }
 
-  TEST_P(Sliding, FrictionlessLoopConservesEnergy)
+  TEST_P(Sliding, frictionless_loop_conserves_energy)
   {
     ElasticParameters elasticity;
     elasticity.young_modulus = 1.;
@@ -82,14 +82,14 @@ namespace
     return std::hypot(result.vertical_ripple, result.lateral_ripple);
   }
 
-  TEST_P(Sliding, IroningRippleFallsAsTheMeshIsRefined)
+  TEST_P(Sliding, ironing_ripple_falls_as_the_mesh_is_refined)
   {
     const double coarse = ripple(GetParam(), 2, 16.);
     EXPECT_LT(coarse, 0.01);
     EXPECT_LT(ripple(GetParam(), 2, 32.), coarse / 3.);
   }
 
-  TEST_P(Sliding, IroningWithoutAnEdgeOfContactHasNoRipple)
+  TEST_P(Sliding, ironing_without_an_edge_of_contact_has_no_ripple)
   {
     // All of the ripple comes from the edge of contact passing the elements:
     // where everything touches, forces are those of smooth integrands.
@@ -111,7 +111,7 @@ namespace
 
   // The mortar form does not resolve the edge better with the order: a function
   // across the edge has one pressure, and it is the wider the higher the order.
-  TEST(Ironing, RippleOfTheGaussPointFormFallsAsTheOrderRises)
+  TEST(Ironing, ripple_of_the_gauss_point_form_falls_as_the_order_rises)
   {
     const auto   formulation = ContactFormulation::gauss_point;
     const double linear      = ripple(formulation, 1, 16.),
@@ -121,7 +121,7 @@ namespace
     EXPECT_LT(cubic, 0.7 * quadratic);
   }
 
-  TEST(Ironing, RippleOfTheMortarFormStaysBelowAPercentForAllOrders)
+  TEST(Ironing, ripple_of_the_mortar_form_stays_below_a_percent_for_all_orders)
   {
     for (unsigned int degree = 1; degree <= 3; ++degree)
       EXPECT_LT(ripple(ContactFormulation::mortar, degree, 16.), 0.01);

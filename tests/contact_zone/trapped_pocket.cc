@@ -170,7 +170,7 @@ namespace
   class TrappedPocketTable : public testing::TestWithParam<TrappedPocketCase>
   {};
 
-  TEST_P(TrappedPocketTable, FollowsTheSuperposedSolution)
+  TEST_P(TrappedPocketTable, follows_the_superposed_solution)
   {
     const TrappedPocketCase &exact = GetParam();
     TrappedPocket            pocket(exact.modulus * full_pressure);

@@ -72,7 +72,7 @@ namespace
 
 
 
-TEST(Acceleration, RelaxationContractsByItsFactor)
+TEST(Acceleration, relaxation_contracts_by_its_factor)
 {
   // H(x) = 2 - 3 (x - 2): x_new - 2 = (1 - 4 omega) (x - 2).
   ConstantRelaxation relaxation(0.2);
@@ -88,7 +88,7 @@ TEST(Acceleration, RelaxationContractsByItsFactor)
 
 
 
-TEST(Acceleration, AitkenSolvesAScalarLinearProblemInTwoIterations)
+TEST(Acceleration, aitken_solves_a_scalar_linear_problem_in_two_iterations)
 {
   AitkenRelaxation aitken(0.1);
   for (unsigned int step = 0; step < 2; ++step)
@@ -107,7 +107,7 @@ TEST(Acceleration, AitkenSolvesAScalarLinearProblemInTwoIterations)
 
 
 TEST(Acceleration,
-     QuasiNewtonSolvesALinearProblemInOneIterationMoreThanUnknowns)
+     quasi_newton_solves_a_linear_problem_in_one_iteration_more_than_unknowns)
 {
   for (const unsigned int n : {1u, 2u, 5u, 12u})
     {
@@ -126,7 +126,7 @@ TEST(Acceleration,
 
 
 
-TEST(Acceleration, QuasiNewtonProfitsFromTheColumnsOfEarlierSteps)
+TEST(Acceleration, quasi_newton_profits_from_the_columns_of_earlier_steps)
 {
   const unsigned int n = 6;
   LinearMap          H(n);
@@ -152,7 +152,7 @@ TEST(Acceleration, QuasiNewtonProfitsFromTheColumnsOfEarlierSteps)
 
 
 
-TEST(Acceleration, QuasiNewtonDropsDependentColumns)
+TEST(Acceleration, quasi_newton_drops_dependent_columns)
 {
   // r changes along one direction only, so that one column is all there is.
   QuasiNewton method(0.5, 3, 1e-3);
@@ -174,7 +174,7 @@ TEST(Acceleration, QuasiNewtonDropsDependentColumns)
 
 
 
-TEST(Acceleration, ZeroResidualReturnsTheFixedPoint)
+TEST(Acceleration, zero_residual_returns_the_fixed_point)
 {
   for (auto &method : all_methods())
     for (unsigned int step = 0; step < 3; ++step)
@@ -193,7 +193,7 @@ TEST(Acceleration, ZeroResidualReturnsTheFixedPoint)
 
 
 
-TEST(Acceleration, ConstantInputAndOutputGiveFiniteSteps)
+TEST(Acceleration, constant_input_and_output_give_finite_steps)
 {
   // The coupled sides do not react: identical columns of zero.
   for (auto &method : all_methods())
@@ -214,7 +214,7 @@ TEST(Acceleration, ConstantInputAndOutputGiveFiniteSteps)
 
 
 
-TEST(Acceleration, ARestBetweenStepsChangesNothing)
+TEST(Acceleration, a_rest_between_steps_changes_nothing)
 {
   // Columns of a step that moves serve after steps at rest.
   const unsigned int n = 3;
@@ -236,7 +236,7 @@ TEST(Acceleration, ARestBetweenStepsChangesNothing)
 
 
 
-TEST(Acceleration, QuasiNewtonGoesOnFromWhatItSaved)
+TEST(Acceleration, quasi_newton_goes_on_from_what_it_saved)
 {
   // Also after a step that has ended at once and left no residual behind.
   const unsigned int n = 3;
@@ -271,7 +271,7 @@ TEST(Acceleration, QuasiNewtonGoesOnFromWhatItSaved)
 
 
 
-TEST(Acceleration, RejectsAFactorWithoutMeaning)
+TEST(Acceleration, rejects_a_factor_without_meaning)
 {
   AccelerationParameters parameters;
   for (const double factor : {0., -1., 3., double(NAN)})

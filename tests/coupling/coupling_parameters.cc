@@ -7,7 +7,7 @@
 
 using namespace asperity;
 
-TEST(CouplingParameters, AreReadWithUnits)
+TEST(CouplingParameters, are_read_with_units)
 {
   CouplingParameters       coupling;
   dealii::ParameterHandler handler;
@@ -31,7 +31,7 @@ TEST(CouplingParameters, AreReadWithUnits)
 
 
 
-TEST(CouplingParameters, RefuseValuesOutOfRange)
+TEST(CouplingParameters, refuse_values_out_of_range)
 {
   for (const std::string entry : {"set Robin coefficient = 0 Pa s/m",
                                   "set Relaxation = 0",

@@ -65,7 +65,7 @@ namespace
 
 
 
-TEST(FluidStructure, ARunThatIsContinuedRepeatsTheOther)
+TEST(FluidStructure, a_run_that_is_continued_repeats_the_other)
 {
   ChannelRun whole, rest;
   whole.advance(4);
@@ -75,7 +75,7 @@ TEST(FluidStructure, ARunThatIsContinuedRepeatsTheOther)
 
 
 
-TEST(FluidStructure, RefusesACheckpointOfAnotherRun)
+TEST(FluidStructure, refuses_a_checkpoint_of_another_run)
 {
   ChannelRun whole, coarse(2, 8);
   whole.advance(1);
@@ -89,7 +89,7 @@ TEST(FluidStructure, RefusesACheckpointOfAnotherRun)
 
 
 
-TEST(FluidStructure, ContinuesOnAnotherMesh)
+TEST(FluidStructure, continues_on_another_mesh)
 {
   // The space of degree 3 holds that of degree 2, so the same body and flow go
   // on, with the difference between the two discretizations; the pressure of
@@ -106,7 +106,7 @@ TEST(FluidStructure, ContinuesOnAnotherMesh)
 
 
 
-TEST(FluidStructure, RefusesToContinueFromAnotherBody)
+TEST(FluidStructure, refuses_to_continue_from_another_body)
 {
   ChannelRun a(2, 8), b(2, 10);
   a.advance(1);

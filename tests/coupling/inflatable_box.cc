@@ -6,7 +6,7 @@
 
 using namespace inflatable_box;
 
-TEST(InflatableBox, KeepsTheVolumeThatFlowsIn)
+TEST(InflatableBox, keeps_the_volume_that_flows_in)
 {
   InflatableBox box(1, 2, InflatableBox::default_options());
   NavierStokes &flow   = box.problem->flow();
@@ -31,7 +31,7 @@ TEST(InflatableBox, KeepsTheVolumeThatFlowsIn)
 // and whatever the step, it is the one that belongs to the volume (in
 // proportion to what was filled in, as the walls move little). Thick oil, large
 // steps and the dissipation of the time integration calm the walls.
-TEST(InflatableBox, KeepsItsPressureWhenShut)
+TEST(InflatableBox, keeps_its_pressure_when_shut)
 {
   std::array<double, 2> stiffness;
   for (const unsigned int k : {0, 1})
@@ -62,7 +62,7 @@ TEST(InflatableBox, KeepsItsPressureWhenShut)
 
 
 
-TEST(InflatableBox, RefusesDirichletNeumann)
+TEST(InflatableBox, refuses_dirichlet_neumann)
 {
   FluidStructureOptions options = InflatableBox::default_options();
   options.coupling.scheme       = CouplingScheme::dirichlet_neumann;

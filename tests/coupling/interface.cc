@@ -89,7 +89,7 @@ namespace
 
 
 
-TEST(Interface, NodesMoveWithTheSplineExactly)
+TEST(Interface, nodes_move_with_the_spline_exactly)
 {
   for (const bool periodic : {false, true})
     for (const unsigned int degree : {1u, 2u, 4u})
@@ -118,7 +118,7 @@ TEST(Interface, NodesMoveWithTheSplineExactly)
 
 
 
-TEST(Interface, LoadsConserveForceMomentAndPower)
+TEST(Interface, loads_conserve_force_moment_and_power)
 {
   for (const bool periodic : {false, true})
     for (const unsigned int degree : {1u, 2u, 4u})
@@ -161,7 +161,7 @@ TEST(Interface, LoadsConserveForceMomentAndPower)
 
 
 
-TEST(Interface, FindsNodesOnTheirEdges)
+TEST(Interface, finds_nodes_on_their_edges)
 {
   CurvedStrip     strip(3, false);
   const Interface interface(strip.space, strip.geometry, strip.places);
@@ -185,7 +185,7 @@ TEST(Interface, FindsNodesOnTheirEdges)
 
 
 
-TEST(InterfaceLoad, IsMinusTheLoadInTheResidual)
+TEST(InterfaceLoad, is_minus_the_load_in_the_residual)
 {
   CurvedStrip        strip(2, false);
   const Interface    interface(strip.space, strip.geometry, strip.places);

@@ -42,7 +42,7 @@ namespace
 
 
 
-TEST(Piston, RobinNeumannContractsAsTheFormulaSays)
+TEST(Piston, robin_neumann_contracts_as_the_formula_says)
 {
   // q = Z_f |Z_s - alpha| / (Z_s (Z_f + alpha))
   const double Z_s = 1.;
@@ -67,7 +67,7 @@ TEST(Piston, RobinNeumannContractsAsTheFormulaSays)
 
 
 
-TEST(Piston, RobinNeumannWithTheSolidsImpedanceIsExactAtOnce)
+TEST(Piston, robin_neumann_with_the_solids_impedance_is_exact_at_once)
 {
   for (const double Z_f : {0.1, 10., infinity})
     {
@@ -85,7 +85,7 @@ TEST(Piston, RobinNeumannWithTheSolidsImpedanceIsExactAtOnce)
 
 
 
-TEST(Piston, DirichletNeumannContractsByTheRatioOfImpedances)
+TEST(Piston, dirichlet_neumann_contracts_by_the_ratio_of_impedances)
 {
   for (const double Z_f : {0.01, 0.1, 0.9, 1.1, 10., 1e3})
     {
@@ -106,7 +106,7 @@ TEST(Piston, DirichletNeumannContractsByTheRatioOfImpedances)
 
 
 
-TEST(Piston, DirichletNeumannOnASealedPocketIsRefused)
+TEST(Piston, dirichlet_neumann_on_a_sealed_pocket_is_refused)
 {
   Piston             solid;
   Chamber            fluid;
@@ -126,7 +126,7 @@ TEST(Piston, DirichletNeumannOnASealedPocketIsRefused)
 
 
 
-TEST(Piston, SealedPocketCarriesTheWholeLoadAndDoesNotMove)
+TEST(Piston, sealed_pocket_carries_the_whole_load_and_does_not_move)
 {
   Piston  solid;
   Chamber fluid;
@@ -145,7 +145,7 @@ TEST(Piston, SealedPocketCarriesTheWholeLoadAndDoesNotMove)
 
 
 
-TEST(Piston, CompressiblePocketIsASpring)
+TEST(Piston, compressible_pocket_is_a_spring)
 {
   // With K/V in series, m d'' + k d = f - A^2 K/V d by implicit Euler, in
   // closed form step by step.
@@ -173,7 +173,7 @@ TEST(Piston, CompressiblePocketIsASpring)
 
 
 
-TEST(Piston, TunesItselfWithoutANumber)
+TEST(Piston, tunes_itself_without_a_number)
 {
   // Five iterations a step at most, over eight orders of mass and six of
   // stiffness, with linear springs and with such that the static deflection
@@ -214,7 +214,7 @@ TEST(Piston, TunesItselfWithoutANumber)
 
 
 
-TEST(Piston, WithoutATangentSecantsTakeOver)
+TEST(Piston, without_a_tangent_secants_take_over)
 {
   struct BlackBox : public Piston
   {
@@ -248,7 +248,7 @@ TEST(Piston, WithoutATangentSecantsTakeOver)
 
 
 
-TEST(Piston, FailedStepIsRetriedFromTheSameStart)
+TEST(Piston, failed_step_is_retried_from_the_same_start)
 {
   Piston  solid;
   Chamber fluid;

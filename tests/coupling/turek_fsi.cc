@@ -4,7 +4,7 @@
 
 using namespace turek_fsi;
 
-TEST(TurekFsi, SteadyFlagFsi1)
+TEST(TurekFsi, steady_flag_fsi1)
 {
   // Featflow's refined values; the fine mesh is in tools/benchmarks.
   Discretization discretization;

@@ -5,7 +5,7 @@
 using namespace flow_examples;
 
 // Reference values of the Featflow group.
-TEST(ChannelFlow, DfgCylinderAtReynolds20)
+TEST(ChannelFlow, dfg_cylinder_at_reynolds_20)
 {
   const auto c = dfg_2d_1(2, 1, 3);
   EXPECT_NEAR(c.drag, 5.57953523384, 1e-4 * 5.57953523384);
@@ -17,7 +17,7 @@ TEST(ChannelFlow, DfgCylinderAtReynolds20)
 
 // Drag and lift of cylinder and flag. CFD2 needs a finer mesh, see
 // tools/benchmarks.
-TEST(ChannelFlow, TurekHronCfd1)
+TEST(ChannelFlow, turek_hron_cfd1)
 {
   const auto force = turek_hron_cfd(0.2, 2, 3);
   EXPECT_NEAR(force[0], 14.292672, 1e-3 * 14.292672);
@@ -28,7 +28,7 @@ TEST(ChannelFlow, TurekHronCfd1)
 
 // Extrema of the velocity on the centre lines at Reynolds number 100; Ghia's
 // own accuracy is about one per cent.
-TEST(ChannelFlow, LidCavityOfGhia)
+TEST(ChannelFlow, lid_cavity_of_ghia)
 {
   LidCavity cavity(16);
   cavity.solve_at(100.);

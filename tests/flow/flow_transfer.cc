@@ -43,7 +43,7 @@ namespace
 
 
 
-TEST(FlowTransfer, KeepsWhatBothSpacesHold)
+TEST(FlowTransfer, keeps_what_both_spaces_hold)
 {
   // Each mesh is finer than the other somewhere.
   const auto left = rectangle(2, 2), right = rectangle(2, 2);
@@ -60,7 +60,7 @@ TEST(FlowTransfer, KeepsWhatBothSpacesHold)
 
 
 
-TEST(FlowTransfer, RefusesAnotherCoarseMesh)
+TEST(FlowTransfer, refuses_another_coarse_mesh)
 {
   const auto       a = rectangle(2, 2), b = rectangle(3, 2);
   const FluidSpace from(*a, FluidElement::taylor_hood, 2, 2, {});
@@ -80,7 +80,7 @@ TEST(FlowTransfer, RefusesAnotherCoarseMesh)
 
 
 
-TEST(ChannelMeshes, CornerLayersRefineTheFlagsCorners)
+TEST(ChannelMeshes, corner_layers_refine_the_flags_corners)
 {
   Mesh plain, refined;
   make_channel_with_flag(plain, 0, 0);

@@ -118,7 +118,7 @@ namespace
 
 
 
-TEST(KrylovSolver, SolvesASteadyEnclosedFlow)
+TEST(KrylovSolver, solves_a_steady_enclosed_flow)
 {
   const auto mesh = rectangle(12, 12);
   expect_same_flow(*mesh,
@@ -131,7 +131,7 @@ TEST(KrylovSolver, SolvesASteadyEnclosedFlow)
 
 
 
-TEST(KrylovSolver, SolvesAChannelWithHangingNodesAndCurvedCells)
+TEST(KrylovSolver, solves_a_channel_with_hanging_nodes_and_curved_cells)
 {
   Mesh mesh;
   make_channel_with_cylinder(mesh, 0, 1);
@@ -148,7 +148,7 @@ TEST(KrylovSolver, SolvesAChannelWithHangingNodesAndCurvedCells)
 
 
 
-TEST(KrylovSolver, SolvesStepsOfAnyLength)
+TEST(KrylovSolver, solves_steps_of_any_length)
 {
   const auto mesh = rectangle(12, 12);
   for (const double dt : {1e-8, 1e-2, 1e4})
@@ -163,7 +163,7 @@ TEST(KrylovSolver, SolvesStepsOfAnyLength)
 
 // A film of a shear-thinning oil, a micrometre high, between a wall that slides
 // and one that the oil may cross against a Robin coefficient; the mesh moves.
-TEST(KrylovSolver, SolvesAPeriodicFilmOverARobinWallOnAMovingMesh)
+TEST(KrylovSolver, solves_a_periodic_film_over_a_robin_wall_on_a_moving_mesh)
 {
   const double         h = 1e-6, L = 4e-6;
   const auto           mesh    = rectangle(12, 6, {0., 0.}, {L, h});
@@ -195,7 +195,7 @@ TEST(KrylovSolver, SolvesAPeriodicFilmOverARobinWallOnAMovingMesh)
 
 
 
-TEST(KrylovSolver, SolvesStabilisedElementsOfEqualOrder)
+TEST(KrylovSolver, solves_stabilised_elements_of_equal_order)
 {
   const auto mesh = rectangle(12, 12);
   for (const unsigned int degree : {1, 2})
@@ -211,7 +211,7 @@ TEST(KrylovSolver, SolvesStabilisedElementsOfEqualOrder)
 
 
 // The number of iterations of one solution does not follow the mesh.
-TEST(KrylovSolver, IterationsAreBoundedUnderRefinement)
+TEST(KrylovSolver, iterations_are_bounded_under_refinement)
 {
   for (const double dt : {0., 1e-4, 1e-2})
     {
@@ -243,7 +243,7 @@ TEST(KrylovSolver, IterationsAreBoundedUnderRefinement)
 
 
 
-TEST(KrylovSolver, SaysWhyThereIsNoSolution)
+TEST(KrylovSolver, says_why_there_is_no_solution)
 {
   const auto   mesh                 = rectangle(8, 8);
   FluidOptions options              = unit_fluid(1., FluidTimeScheme::steady);

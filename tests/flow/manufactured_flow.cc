@@ -127,7 +127,7 @@ namespace
 
 
 
-TEST(ManufacturedFlow, TaylorHoodHasOptimalOrdersInSpace)
+TEST(ManufacturedFlow, taylor_hood_has_optimal_orders_in_space)
 {
   for (const unsigned int degree : {2U, 3U})
     {
@@ -143,7 +143,7 @@ TEST(ManufacturedFlow, TaylorHoodHasOptimalOrdersInSpace)
 
 
 
-TEST(ManufacturedFlow, EqualOrderHasOptimalOrdersInSpace)
+TEST(ManufacturedFlow, equal_order_has_optimal_orders_in_space)
 {
   for (const unsigned int degree : {1U, 2U})
     {
@@ -157,7 +157,7 @@ TEST(ManufacturedFlow, EqualOrderHasOptimalOrdersInSpace)
 
 
 
-TEST(ManufacturedFlow, RobinBoundary)
+TEST(ManufacturedFlow, robin_boundary)
 {
   for (const double alpha : {1e-3, 1., 1e3})
     {
@@ -170,7 +170,7 @@ TEST(ManufacturedFlow, RobinBoundary)
 
 
 
-TEST(ManufacturedFlow, OrdersInTime)
+TEST(ManufacturedFlow, orders_in_time)
 {
   for (const auto &motion : {at_rest, swaying})
     for (const auto scheme :
@@ -187,7 +187,7 @@ TEST(ManufacturedFlow, OrdersInTime)
 
 
 
-TEST(ManufacturedFlow, VariableStepsKeepTheSecondOrder)
+TEST(ManufacturedFlow, variable_steps_keep_the_second_order)
 {
   const auto coarse = unsteady_error(FluidTimeScheme::bdf2, 20, swaying, true);
   const auto fine   = unsteady_error(FluidTimeScheme::bdf2, 40, swaying, true);

@@ -30,7 +30,7 @@ namespace
 
 // x = X + 0.1 sin(2 pi X) sin(2 pi Y) sin(pi t) in both directions, inside and,
 // by the shift of the phase, on the boundary.
-TEST(MovingFlow, UniformFlowStaysUniform)
+TEST(MovingFlow, uniform_flow_stays_uniform)
 {
   for (const auto scheme : schemes)
     for (const auto element : elements)
@@ -69,7 +69,7 @@ TEST(MovingFlow, UniformFlowStaysUniform)
 // of their arcs, so the flux of their velocity through the walls does not
 // vanish although the volume is the same at the end of each step: only the
 // swept volume tells the truth.
-TEST(MovingFlow, VolumeBetweenMaterialWallsIsConserved)
+TEST(MovingFlow, volume_between_material_walls_is_conserved)
 {
   for (const auto scheme : schemes)
     for (const bool are_material : {false, true})
@@ -101,7 +101,7 @@ TEST(MovingFlow, VolumeBetweenMaterialWallsIsConserved)
 
 
 
-TEST(MovingFlow, InvertedCellIsReported)
+TEST(MovingFlow, inverted_cell_is_reported)
 {
   const auto   mesh = rectangle(2, 2);
   NavierStokes flow(*mesh,
@@ -121,7 +121,7 @@ TEST(MovingFlow, InvertedCellIsReported)
 
 // Time steps from 1e-1 to 1e-8: the error of the pressure is that of the mesh.
 // Without the projection of the initial velocity it grows as 1/dt.
-TEST(MovingFlow, PressureOfTinyStepsIsBounded)
+TEST(MovingFlow, pressure_of_tiny_steps_is_bounded)
 {
   Vortices vortices;
   vortices.viscosity = 0.01;

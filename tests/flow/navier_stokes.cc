@@ -90,7 +90,7 @@ namespace
 
 
 
-TEST(NavierStokes, TangentIsTheDerivativeOfTheResidual)
+TEST(NavierStokes, tangent_is_the_derivative_of_the_residual)
 {
   ViscosityParameters newtonian, complex;
   newtonian.viscosity              = 0.8;
@@ -121,7 +121,7 @@ TEST(NavierStokes, TangentIsTheDerivativeOfTheResidual)
 
 // v_x = U y/h between walls that slide; sides periodic. The shear stress is
 // eta U/h everywhere.
-TEST(NavierStokes, CouetteFlow)
+TEST(NavierStokes, couette_flow)
 {
   const double eta = 0.032, U = 1.5, h = 1e-6, L = 3e-6;
   for (const auto element :
@@ -147,7 +147,7 @@ TEST(NavierStokes, CouetteFlow)
 
 // A body force G/rho along a periodic channel: v = G y (h - y)/(2 eta), and
 // each wall carries half of the force.
-TEST(NavierStokes, PoiseuilleFlow)
+TEST(NavierStokes, poiseuille_flow)
 {
   const double eta = 0.5, G = 3., h = 2., L = 1.;
   for (const auto element :
@@ -174,7 +174,7 @@ TEST(NavierStokes, PoiseuilleFlow)
 // Flow rate and centre velocity of a Carreau fluid between plates at y = -1, 1
 // under a pressure gradient of 1, eta_0 = 1, eta_inf = 0.01; computed from the
 // one-dimensional balance eta(gamma) gamma = y.
-TEST(NavierStokes, CarreauChannel)
+TEST(NavierStokes, carreau_channel)
 {
   struct Case
   {
@@ -209,7 +209,7 @@ TEST(NavierStokes, CarreauChannel)
 
 
 
-TEST(NavierStokes, MeanPressureOfEnclosedFlowsIsTheOneAskedFor)
+TEST(NavierStokes, mean_pressure_of_enclosed_flows_is_the_one_asked_for)
 {
   const auto   mesh     = rectangle(6, 6);
   FluidOptions options  = steady(0.01, 1.);
@@ -232,7 +232,7 @@ TEST(NavierStokes, MeanPressureOfEnclosedFlowsIsTheOneAskedFor)
 
 
 
-TEST(NavierStokes, EnclosedFlowThatLosesVolumeIsRefused)
+TEST(NavierStokes, enclosed_flow_that_loses_volume_is_refused)
 {
   const auto   mesh = rectangle(4, 4);
   NavierStokes flow(*mesh, steady(1., 1.));
@@ -245,7 +245,7 @@ TEST(NavierStokes, EnclosedFlowThatLosesVolumeIsRefused)
 
 
 
-TEST(NavierStokes, BoundaryHasOneCondition)
+TEST(NavierStokes, boundary_has_one_condition)
 {
   const auto   mesh = rectangle(2, 2);
   NavierStokes flow(*mesh, steady(1., 1.), {{0, 1, 0}});

@@ -109,7 +109,7 @@ namespace
 
 
 
-TEST(FilmCavitation, RupturesAndReformsWhereTheoryHasIt)
+TEST(FilmCavitation, ruptures_and_reforms_where_theory_has_it)
 {
   const RupturedFilm exact;
   ASSERT_GT(exact.x_f, exact.x_r + 0.05);
@@ -150,7 +150,7 @@ TEST(FilmCavitation, RupturesAndReformsWhereTheoryHasIt)
 
 
 
-TEST(FilmCavitation, PeriodicFilmKeepsItsOil)
+TEST(FilmCavitation, periodic_film_keeps_its_oil)
 {
   // A wave that travels against the walls, starved at first.
   const unsigned int n   = 100;
@@ -306,7 +306,7 @@ namespace
 
 
 
-TEST(FilmManufactured, IsOfSecondOrderInSpace)
+TEST(FilmManufactured, is_of_second_order_in_space)
 {
   const Manufactured problem;
   const double       coarse = problem.error(20, 1600);
@@ -316,7 +316,7 @@ TEST(FilmManufactured, IsOfSecondOrderInSpace)
 
 
 
-TEST(FilmManufactured, IsOfFirstOrderInTime)
+TEST(FilmManufactured, is_of_first_order_in_time)
 {
   const Manufactured problem;
   const double       coarse = problem.error(500, 4);
@@ -326,7 +326,7 @@ TEST(FilmManufactured, IsOfFirstOrderInTime)
 
 
 
-TEST(FilmLubricant, DerivativesAreThoseOfFiniteDifferences)
+TEST(FilmLubricant, derivatives_are_those_of_finite_differences)
 {
   LubricantParameters oil            = unit_oil(DensityLaw::murnaghan);
   oil.viscosity.shear_law            = ShearLaw::carreau;
@@ -374,7 +374,7 @@ TEST(FilmLubricant, DerivativesAreThoseOfFiniteDifferences)
 
 
 
-TEST(FischerBurmeister, VanishesOnTheComplementaryStatesOnly)
+TEST(FischerBurmeister, vanishes_on_the_complementary_states_only)
 {
   EXPECT_EQ(fischer_burmeister({3., 1.}, 2.).value, 0.);
   EXPECT_EQ(fischer_burmeister({0., 0.4}, 2.).value, 0.);

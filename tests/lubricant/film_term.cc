@@ -169,7 +169,7 @@ namespace
   {};
 
   // The lift selects the branch of the gap: open, in part at the residual film.
-  TEST_P(FilmTangent, IsThatOfFiniteDifferences)
+  TEST_P(FilmTangent, is_that_of_finite_differences)
   {
     FilmTerm   film(space,
                   wavy_block(space),
@@ -219,7 +219,7 @@ namespace
 
   INSTANTIATE_TEST_SUITE_P(Gaps, FilmTangent, testing::Values(0., 0.35, 0.6));
 
-  TEST_F(Film, FlatWallsThatSlideOnlyShear)
+  TEST_F(Film, flat_walls_that_slide_only_shear)
   {
     const auto options = options_with(PressureLaw::none, 1.);
     FilmTerm   film(space, PatchGeometry(), tool(1.4, 0.), options, n_chip);
@@ -239,7 +239,7 @@ namespace
     EXPECT_NEAR(film.state().shear_force[0], -sum, 1e-12);
   }
 
-  TEST_F(Film, AgreesWithTheFilmBetweenGivenWalls)
+  TEST_F(Film, agrees_with_the_film_between_given_walls)
   {
     const auto options = options_with(PressureLaw::barus, 1.);
     FilmTerm   film(space, PatchGeometry(), tool(1.4, 0.2), options, n_chip);
@@ -296,7 +296,7 @@ namespace
                   2e-2 * p_max);
   }
 
-  TEST_F(Film, CarriesALiftedChipByCompression)
+  TEST_F(Film, carries_a_lifted_chip_by_compression)
   {
     auto         options = options_with(PressureLaw::none, 1.);
     FilmTerm     film(space, PatchGeometry(), tool(1.4, 0.), options, n_chip);
@@ -333,7 +333,7 @@ namespace
     EXPECT_NEAR(state.reference_volume, 1.6, 1e-14);
   }
 
-  TEST_F(Film, KeepsItsOilWhileSurfacesTouchAndSlide)
+  TEST_F(Film, keeps_its_oil_while_surfaces_touch_and_slide)
   {
     auto options = options_with(PressureLaw::barus, 0.6);
     options.oil.viscosity.pressure_coefficient = 5e-4;

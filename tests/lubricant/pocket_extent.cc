@@ -15,7 +15,7 @@ namespace
 
 
 
-TEST(FindPockets, CrossingsAreThoseOfThePiecewiseLinearGap)
+TEST(FindPockets, crossings_are_those_of_the_piecewise_linear_gap)
 {
   const auto pockets =
     find_pockets({0., 2., 3., 5., 6., 8.}, {0., 2., -1., 4., .5, 1.}, S, 1.);
@@ -33,7 +33,7 @@ TEST(FindPockets, CrossingsAreThoseOfThePiecewiseLinearGap)
 
 
 
-TEST(FindPockets, APocketMayWrapAroundThePeriod)
+TEST(FindPockets, a_pocket_may_wrap_around_the_period)
 {
   const auto pockets =
     find_pockets({1., 3., 5., 7., 9.}, {2., 0., 0., 0., 2.}, S, 1.);
@@ -47,7 +47,7 @@ TEST(FindPockets, APocketMayWrapAroundThePeriod)
 
 
 
-TEST(FindPockets, WithoutSealThePocketIsThePeriod)
+TEST(FindPockets, without_seal_the_pocket_is_the_period)
 {
   const auto pockets = find_pockets({1., 3., 5.}, {2., 1.5, 3.}, S, 1.);
   ASSERT_EQ(pockets.size(), 1u);
@@ -59,7 +59,7 @@ TEST(FindPockets, WithoutSealThePocketIsThePeriod)
 
 
 
-TEST(FindPockets, DomainsPartitionTheEdge)
+TEST(FindPockets, domains_partition_the_edge)
 {
   std::mt19937                           random(3);
   std::uniform_real_distribution<double> uniform(0., 1.);

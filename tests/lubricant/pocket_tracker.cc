@@ -107,7 +107,7 @@ namespace
 
 
 
-TEST(PocketTracker, MergingAddsMassesUnderTheNameOfTheLargerPart)
+TEST(PocketTracker, merging_adds_masses_under_the_name_of_the_larger_part)
 {
   PocketTracker tracker = three_pockets();
   EXPECT_EQ(content(tracker), "A 2, B 3, C 5");
@@ -122,7 +122,7 @@ TEST(PocketTracker, MergingAddsMassesUnderTheNameOfTheLargerPart)
 
 
 
-TEST(PocketTracker, SplittingDistributesByVolume)
+TEST(PocketTracker, splitting_distributes_by_volume)
 {
   PocketTracker tracker = three_pockets();
   step(tracker, {{1., 3.}, {4., 6.}, {7., 7.4}, {7.5, 9.1}});
@@ -138,7 +138,7 @@ TEST(PocketTracker, SplittingDistributesByVolume)
 
 
 
-TEST(PocketTracker, AClosedPocketLeaksToTheLowerPressure)
+TEST(PocketTracker, a_closed_pocket_leaks_to_the_lower_pressure)
 {
   for (const bool left_is_lower : {true, false})
     {
@@ -159,7 +159,7 @@ TEST(PocketTracker, AClosedPocketLeaksToTheLowerPressure)
 
 
 
-TEST(PocketTracker, WhereEverythingClosesTheOilStaysAndComesBack)
+TEST(PocketTracker, where_everything_closes_the_oil_stays_and_comes_back)
 {
   PocketTracker tracker = three_pockets();
   step(tracker, {});
@@ -177,7 +177,7 @@ TEST(PocketTracker, WhereEverythingClosesTheOilStaysAndComesBack)
 
 
 
-TEST(PocketTracker, NewPocketsAreEmpty)
+TEST(PocketTracker, new_pockets_are_empty)
 {
   PocketTracker tracker = three_pockets();
   step(tracker, {{1., 3.}, {3.2, 3.8}, {4., 6.}, {7., 9.}});
@@ -187,7 +187,7 @@ TEST(PocketTracker, NewPocketsAreEmpty)
 
 
 
-TEST(PocketTracker, NamesTravelWithThePocketsAroundThePeriod)
+TEST(PocketTracker, names_travel_with_the_pockets_around_the_period)
 {
   // Steps of 0.25 are more than the width of the seals, 0.1.
   PocketTracker tracker(S);
@@ -213,7 +213,7 @@ TEST(PocketTracker, NamesTravelWithThePocketsAroundThePeriod)
 
 
 
-TEST(PocketTracker, ASmallPocketMayMoveByMoreThanItsWidth)
+TEST(PocketTracker, a_small_pocket_may_move_by_more_than_its_width)
 {
   PocketTracker tracker(S);
   step(tracker, {{1., 3.}, {4., 4.1}, {7., 9.}});
@@ -225,7 +225,7 @@ TEST(PocketTracker, ASmallPocketMayMoveByMoreThanItsWidth)
 
 
 
-TEST(PocketTracker, GoesOnFromItsState)
+TEST(PocketTracker, goes_on_from_its_state)
 {
   PocketTracker tracker = three_pockets();
   step(tracker, {{1., 3.}, {4., 6.}, {7., 7.5}, {7.6, 9.}});
@@ -308,7 +308,7 @@ namespace
 
 
 
-TEST(PocketTracker, RandomHistoriesConserveMassAndNames)
+TEST(PocketTracker, random_histories_conserve_mass_and_names)
 {
   unsigned int n_events = 0, n_sealed = 0;
   for (unsigned int seed = 0; seed < 5; ++seed)

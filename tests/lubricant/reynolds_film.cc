@@ -70,7 +70,7 @@ namespace
 
 
 
-TEST(ReynoldsFilm, LinearSliderHasTheTextbookValues)
+TEST(ReynoldsFilm, linear_slider_has_the_textbook_values)
 {
   for (const double K : {1.5, 2., 2.18874, 3.})
     for (const bool graded : {false, true})
@@ -99,7 +99,7 @@ TEST(ReynoldsFilm, LinearSliderHasTheTextbookValues)
 
 
 
-TEST(ReynoldsFilm, SliderValuesDoNotDependOnTheFrame)
+TEST(ReynoldsFilm, slider_values_do_not_depend_on_the_frame)
 {
   // The same slider with the upper wall moving the other way: its gap travels
   // with it, so dh/dt = -u_2 dh/dx, given as what it displaces.
@@ -120,7 +120,7 @@ TEST(ReynoldsFilm, SliderValuesDoNotDependOnTheFrame)
 
 
 
-TEST(ReynoldsFilm, PiezoviscousSliderFollowsTheReducedPressure)
+TEST(ReynoldsFilm, piezoviscous_slider_follows_the_reduced_pressure)
 {
   const double alpha[] = {1., 2., 3., 3.5, 3.9};
   const double load[]  = {.177095, .203458, .248641, .291300, .369826};
@@ -140,7 +140,7 @@ TEST(ReynoldsFilm, PiezoviscousSliderFollowsTheReducedPressure)
 
 
 
-TEST(ReynoldsFilm, PiezoviscousBlowUpIsReported)
+TEST(ReynoldsFilm, piezoviscous_blow_up_is_reported)
 {
   for (const double alpha : {4., 4.2, 6., 40.})
     for (const unsigned int n : {100, 1000})
@@ -162,7 +162,7 @@ TEST(ReynoldsFilm, PiezoviscousBlowUpIsReported)
 
 
 
-TEST(ReynoldsFilm, ParallelWallsShearAndLeak)
+TEST(ReynoldsFilm, parallel_walls_shear_and_leak)
 {
   FilmWalls walls;
   walls.x            = faces(10, true);
@@ -184,7 +184,7 @@ TEST(ReynoldsFilm, ParallelWallsShearAndLeak)
 
 
 
-TEST(ReynoldsFilm, StressLimitActsOnTheMeanRate)
+TEST(ReynoldsFilm, stress_limit_acts_on_the_mean_rate)
 {
   LubricantParameters oil       = unit_oil();
   oil.viscosity.stress_limit    = StressLimit::circular;
@@ -200,7 +200,7 @@ TEST(ReynoldsFilm, StressLimitActsOnTheMeanRate)
 
 
 
-TEST(ReynoldsFilm, SqueezedStripCarriesStefansLoad)
+TEST(ReynoldsFilm, squeezed_strip_carries_stefans_load)
 {
   FilmWalls walls;
   walls.x               = faces(600);
@@ -224,7 +224,7 @@ TEST(ReynoldsFilm, SqueezedStripCarriesStefansLoad)
 
 
 
-TEST(ReynoldsFilm, RefusesAPressureWithoutLevel)
+TEST(ReynoldsFilm, refuses_a_pressure_without_level)
 {
   FilmWalls walls;
   walls.x   = faces(20);

@@ -73,7 +73,7 @@ namespace
     Vector        u;
   };
 
-  TEST_F(VoidBetweenWaves, StretchesAddUpToThePeriod)
+  TEST_F(VoidBetweenWaves, stretches_add_up_to_the_period)
   {
     VoidVolume void_volume(space, geometry, tool);
     void_volume.measure(u);
@@ -86,7 +86,7 @@ namespace
                 1e-13);
   }
 
-  TEST_F(VoidBetweenWaves, ALiftLowersTheVolumeByItsArea)
+  TEST_F(VoidBetweenWaves, a_lift_lowers_the_volume_by_its_area)
   {
     VoidVolume   void_volume(space, geometry, tool);
     const double before = void_volume.volume(void_volume.period());
@@ -102,7 +102,7 @@ namespace
                 1e-12);
   }
 
-  TEST_F(VoidBetweenWaves, DerivativesAreThoseOfFiniteDifferences)
+  TEST_F(VoidBetweenWaves, derivatives_are_those_of_finite_differences)
   {
     VoidVolume   void_volume(space, geometry, tool);
     const auto   sparsity = pattern(void_volume);
@@ -141,7 +141,7 @@ namespace
                     public testing::WithParamInterface<DensityLaw>
   {};
 
-  TEST_P(PocketLaw, TangentIsThatOfFiniteDifferences)
+  TEST_P(PocketLaw, tangent_is_that_of_finite_differences)
   {
     SealedPocketOptions options;
     options.density.law          = GetParam();
@@ -190,7 +190,7 @@ namespace
                                            DensityLaw::dowson_higginson,
                                            DensityLaw::constant_modulus));
 
-  TEST_F(VoidBetweenWaves, OilWithRoomToSpareCarriesNothing)
+  TEST_F(VoidBetweenWaves, oil_with_room_to_spare_carries_nothing)
   {
     SealedPocketOptions options;
     options.wetting = 0.5;
@@ -204,7 +204,7 @@ namespace
     EXPECT_NEAR(state.reference_volume, 0.5 * state.void_volume, 1e-14);
   }
 
-  TEST_F(VoidBetweenWaves, AVoidThatIsGoneGivesNoResidual)
+  TEST_F(VoidBetweenWaves, a_void_that_is_gone_gives_no_residual)
   {
     SealedPocket pocket(space, geometry, tool, {});
     Vector       lift(u.size()), R(u.size());

@@ -82,7 +82,7 @@ namespace
 
 
 
-TEST(ColumnMesh, WallsLieOnTheCurvesAtTheNodes)
+TEST(ColumnMesh, walls_lie_on_the_curves_at_the_nodes)
 {
   const SplineCurve tool = surface(tool_height);
   ColumnMesh        mesh(flat(0.), tool, layout_of(flat(0.)));
@@ -106,7 +106,7 @@ TEST(ColumnMesh, WallsLieOnTheCurvesAtTheNodes)
 
 
 
-TEST(ColumnMesh, AreaIsExactWhereTheWallsAreQuadraticInEachColumn)
+TEST(ColumnMesh, area_is_exact_where_the_walls_are_quadratic_in_each_column)
 {
   // Columns on the knots of both; the integral of a spline over a period is
   // that of its control values.
@@ -124,7 +124,7 @@ TEST(ColumnMesh, AreaIsExactWhereTheWallsAreQuadraticInEachColumn)
 
 
 
-TEST(ColumnMesh, AreaConvergesToThatBetweenTheCurves)
+TEST(ColumnMesh, area_converges_to_that_between_the_curves)
 {
   // The chip's area beneath is that of its piecewise quadratic edge, exactly;
   // the tool's, at an offset that is no multiple of a span, by fine quadrature.
@@ -153,7 +153,7 @@ TEST(ColumnMesh, AreaConvergesToThatBetweenTheCurves)
 
 
 
-TEST(ColumnMesh, ToolWrapsAroundAndCyclesReturn)
+TEST(ColumnMesh, tool_wraps_around_and_cycles_return)
 {
   const SplineCurve tool = surface(tool_height);
   const SplineCurve chip = deformed_chip(0.);
@@ -178,7 +178,7 @@ TEST(ColumnMesh, ToolWrapsAroundAndCyclesReturn)
 
 
 
-TEST(ColumnMesh, NoCellIsInvertedOverLongDistances)
+TEST(ColumnMesh, no_cell_is_inverted_over_long_distances)
 {
   const SplineCurve tool = surface(tool_height);
   ColumnMesh        mesh(flat(0.), tool, layout_of(flat(0.)));
@@ -196,7 +196,7 @@ TEST(ColumnMesh, NoCellIsInvertedOverLongDistances)
 
 
 
-TEST(ColumnMesh, ResidualFilmKeepsOneMeshWhereSurfacesOverlap)
+TEST(ColumnMesh, residual_film_keeps_one_mesh_where_surfaces_overlap)
 {
   const double      film = 0.005 * um;
   const SplineCurve tool = surface(tool_height);
@@ -239,7 +239,7 @@ TEST(ColumnMesh, ResidualFilmKeepsOneMeshWhereSurfacesOverlap)
 
 
 
-TEST(ColumnMesh, AnEdgeThatFoldsOverIsRefused)
+TEST(ColumnMesh, an_edge_that_folds_over_is_refused)
 {
   const SplineCurve chip = flat(0.);
   ColumnMesh        mesh(chip, surface(tool_height), layout_of(chip));
@@ -258,7 +258,7 @@ TEST(ColumnMesh, AnEdgeThatFoldsOverIsRefused)
 
 
 
-TEST(ColumnMesh, LayoutsAndCurvesThatDoNotFitAreRefused)
+TEST(ColumnMesh, layouts_and_curves_that_do_not_fit_are_refused)
 {
   const SplineCurve  chip = flat(0.), tool = surface(tool_height);
   const ColumnLayout good = layout_of(chip);
@@ -280,7 +280,7 @@ TEST(ColumnMesh, LayoutsAndCurvesThatDoNotFitAreRefused)
 
 
 
-TEST(ColumnLayout, ColumnsAreDenseWhereTheGapIsNarrow)
+TEST(ColumnLayout, columns_are_dense_where_the_gap_is_narrow)
 {
   const SplineCurve chip = flat(0., 20), tool = surface(tool_height);
   const auto        columns = columns_on_spans(chip.knot_vector(),
@@ -307,7 +307,7 @@ TEST(ColumnLayout, ColumnsAreDenseWhereTheGapIsNarrow)
 
 
 
-TEST(ColumnLayout, RowsAreGradedSymmetrically)
+TEST(ColumnLayout, rows_are_graded_symmetrically)
 {
   const std::vector<double> equal = graded_rows(4);
   for (unsigned int j = 0; j <= 4; ++j)

@@ -13,7 +13,7 @@ namespace
 
 
 
-TEST(ColumnWallVelocity, FilmCarriedByTheChipKeepsItsVolume)
+TEST(ColumnWallVelocity, film_carried_by_the_chip_keeps_its_volume)
 {
   // The chip presses into the tool and moves on by w; the film moves with it,
   // though the tool rests.
@@ -39,7 +39,7 @@ TEST(ColumnWallVelocity, FilmCarriedByTheChipKeepsItsVolume)
 
 // Nodes that slide along the tool have no velocity normal to it, but for the
 // chords by which a quadratic edge knows its slope.
-TEST(ColumnWallVelocity, OffTheFilmTheFluidGoesWithTheTool)
+TEST(ColumnWallVelocity, off_the_film_the_fluid_goes_with_the_tool)
 {
   const SplineCurve tool = surface(tool_height, 160, 4);
   const double      step = 1e-5 * um, dt = 1e-8, velocity = step / dt;
@@ -68,7 +68,7 @@ TEST(ColumnWallVelocity, OffTheFilmTheFluidGoesWithTheTool)
 
 // Whether the lowest point of the tool just touches the film or just does not
 // makes no difference to the velocity, whatever the mesh does.
-TEST(ColumnWallVelocity, VelocityDoesNotJumpAtTheEdgeOfTheFilm)
+TEST(ColumnWallVelocity, velocity_does_not_jump_at_the_edge_of_the_film)
 {
   const double film = 0.005 * um, touch = film - 0.02 * um, step = 1e-6 * um;
   const SplineCurve      tool = surface(tool_height);

@@ -95,7 +95,7 @@ namespace
 
 
 
-TEST(ElasticMeshUpdate, PassesThePatchTest)
+TEST(ElasticMeshUpdate, passes_the_patch_test)
 {
   // Without stiffening on any mesh, hanging nodes included; with it where all
   // cells are alike.
@@ -114,7 +114,7 @@ TEST(ElasticMeshUpdate, PassesThePatchTest)
 
 
 
-TEST(ElasticMeshUpdate, RigidMotionStaysRigidWithAnyStiffening)
+TEST(ElasticMeshUpdate, rigid_motion_stays_rigid_with_any_stiffening)
 {
   const Square            square(std::vector<double>(4, 0.25), true);
   const ElasticMeshUpdate emum(square.dofs, square.mapping, all_prescribed(2.));
@@ -126,7 +126,7 @@ TEST(ElasticMeshUpdate, RigidMotionStaysRigidWithAnyStiffening)
 
 
 
-TEST(ElasticMeshUpdate, StiffeningFollowsItsFormula)
+TEST(ElasticMeshUpdate, stiffening_follows_its_formula)
 {
   // Rows of heights h1, h2 pulled apart, free along x: springs in series of
   // the stiffness h^-(1 + chi), so the interface takes the share
@@ -159,7 +159,7 @@ TEST(ElasticMeshUpdate, StiffeningFollowsItsFormula)
 
 
 
-TEST(ElasticMeshUpdate, CyclicMotionReturnsToTheSameMesh)
+TEST(ElasticMeshUpdate, cyclic_motion_returns_to_the_same_mesh)
 {
   const Square            square(std::vector<double>(4, 0.25), true);
   const ElasticMeshUpdate emum(square.dofs, square.mapping, all_prescribed(1.));
@@ -180,7 +180,7 @@ TEST(ElasticMeshUpdate, CyclicMotionReturnsToTheSameMesh)
 
 
 
-TEST(ElasticMeshUpdate, AMeshThatIsNotHeldIsRefused)
+TEST(ElasticMeshUpdate, a_mesh_that_is_not_held_is_refused)
 {
   const Square       square({0.5, 0.5});
   ElasticMeshOptions options;
@@ -194,7 +194,7 @@ TEST(ElasticMeshUpdate, AMeshThatIsNotHeldIsRefused)
 
 
 
-TEST(MeshWatch, MeasuresShearAndStretchOfKnownMappings)
+TEST(MeshWatch, measures_shear_and_stretch_of_known_mappings)
 {
   const Square    square(std::vector<double>(4, 0.25));
   const MeshWatch watch(square.dofs, square.mapping, 0.3);
@@ -215,7 +215,7 @@ TEST(MeshWatch, MeasuresShearAndStretchOfKnownMappings)
 
 
 
-TEST(MeshWatch, NamesTheWorstPlace)
+TEST(MeshWatch, names_the_worst_place)
 {
   const Square    square(std::vector<double>(4, 0.25));
   const MeshWatch watch(square.dofs, square.mapping, 0.3);

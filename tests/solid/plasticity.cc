@@ -5,7 +5,7 @@
 
 using namespace loaded_solid;
 
-TEST(CookMembrane, RisesIntoThePublishedBandWhereLinearSplinesLock)
+TEST(CookMembrane, rises_into_the_published_band_where_linear_splines_lock)
 {
   // 6.9 to 7.4 mm over the literature since Simo and Armero (1992).
   const double fine = 1e3 * cook_membrane(4, 16, 10);
@@ -18,7 +18,7 @@ TEST(CookMembrane, RisesIntoThePublishedBandWhereLinearSplinesLock)
 
 
 
-TEST(ThickCylinder, ReferencePressureTendsToTheRigidPlasticFormula)
+TEST(ThickCylinder, reference_pressure_tends_to_the_rigid_plastic_formula)
 {
   // Volume changes are of the order of stress over bulk modulus, 0.7 %.
   for (const double a : {20e-3, 40e-3, 85e-3})
@@ -31,7 +31,7 @@ TEST(ThickCylinder, ReferencePressureTendsToTheRigidPlasticFormula)
 
 
 
-TEST(ThickCylinder, ExpandsAtThePressureOfTheFormula)
+TEST(ThickCylinder, expands_at_the_pressure_of_the_formula)
 {
   const double exact = ThickCylinder::elastic_plastic_pressure(85e-3);
   EXPECT_NEAR(ThickCylinder::ring_pressure(2, 4, 75, 85e-3) / exact, 1., 1e-5);

@@ -28,7 +28,8 @@ namespace
 
 
 
-TEST(SolidAssembler, TangentIsTheDerivativeOfTheForceForEveryLawAndKinematics)
+TEST(SolidAssembler,
+     tangent_is_the_derivative_of_the_force_for_every_law_and_kinematics)
 {
   const auto space = hierarchical_space(2);
   for (const auto &law : all_laws())
@@ -54,7 +55,7 @@ TEST(SolidAssembler, TangentIsTheDerivativeOfTheForceForEveryLawAndKinematics)
 
 
 
-TEST(SolidAssembler, RigidMotionGivesNoForce)
+TEST(SolidAssembler, rigid_motion_gives_no_force)
 {
   const auto space = hierarchical_space(3);
   for (const auto &law : all_laws())
@@ -78,7 +79,7 @@ TEST(SolidAssembler, RigidMotionGivesNoForce)
 
 
 
-TEST(SolidAssembler, InvertedElementsHaveNoForce)
+TEST(SolidAssembler, inverted_elements_have_no_force)
 {
   Body         body(hierarchical_space(2), bent_rectangle, neo_hooke());
   const Vector X = body.control_points();
@@ -90,7 +91,7 @@ TEST(SolidAssembler, InvertedElementsHaveNoForce)
 
 
 
-TEST(SolidAssembler, MassMatrixSumsToTheMass)
+TEST(SolidAssembler, mass_matrix_sums_to_the_mass)
 {
   const double pi = dealii::numbers::PI;
   for (const auto kinematics :
@@ -117,7 +118,7 @@ TEST(SolidAssembler, MassMatrixSumsToTheMass)
 
 
 
-TEST(SolidAssembler, BodyForceSumsToWeightAndActsAtTheCentreOfMass)
+TEST(SolidAssembler, body_force_sums_to_weight_and_acts_at_the_centre_of_mass)
 {
   Body body(
     hierarchical_space(2),
@@ -139,7 +140,7 @@ TEST(SolidAssembler, BodyForceSumsToWeightAndActsAtTheCentreOfMass)
 
 
 
-TEST(SolidAssembler, FiniteStrainPatchTestOnHierarchicalMeshes)
+TEST(SolidAssembler, finite_strain_patch_test_on_hierarchical_meshes)
 {
   // Edges that follow a linear map make the whole body follow it.
   const double F[2][2] = {{1.3, 0.4}, {-0.2, 0.9}};
@@ -184,7 +185,7 @@ TEST(SolidAssembler, FiniteStrainPatchTestOnHierarchicalMeshes)
 
 
 
-TEST(Equilibrium, ReactionsBalanceTheLoad)
+TEST(Equilibrium, reactions_balance_the_load)
 {
   Body body(hierarchical_space(2), bent_rectangle, neo_hooke());
   body.clamp(Edge::left);
@@ -205,7 +206,7 @@ TEST(Equilibrium, ReactionsBalanceTheLoad)
 
 
 
-TEST(Equilibrium, ContractionUnderAFollowerLoadIsQuadratic)
+TEST(Equilibrium, contraction_under_a_follower_load_is_quadratic)
 {
   Body body(hierarchical_space(2), bent_rectangle, neo_hooke());
   body.clamp(Edge::left);

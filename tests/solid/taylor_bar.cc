@@ -12,7 +12,7 @@ using namespace loaded_solid;
 // temperature is the one that converges, that at a point; the largest of a mesh
 // is a matter of its cells.
 
-TEST(TaylorBar, ShortensMushroomsAndHeatsAsPublished)
+TEST(TaylorBar, shortens_mushrooms_and_heats_as_published)
 {
   const TaylorBarResult bar = taylor_bar(2, 12, 48, 640, 0.8);
   for (const double published : {26.52, 26.56})

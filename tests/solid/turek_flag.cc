@@ -7,7 +7,7 @@ using namespace loaded_solid;
 // Reference values: S. Turek, J. Hron (2006) and the refined values of the
 // FeatFlow benchmark page, in millimetres.
 
-TEST(TurekFlag, HangsAsInTheBenchmarkCsm1)
+TEST(TurekFlag, hangs_as_in_the_benchmark_csm1)
 {
   const auto tip = hanging_flag_tip(4, 24, 3, 0.5e6);
   EXPECT_NEAR(1e3 * tip[0] / -7.187190, 1., 1e-3);
@@ -16,7 +16,7 @@ TEST(TurekFlag, HangsAsInTheBenchmarkCsm1)
 
 
 
-TEST(TurekFlag, HangsAsInTheBenchmarkCsm2)
+TEST(TurekFlag, hangs_as_in_the_benchmark_csm2)
 {
   const auto tip = hanging_flag_tip(4, 24, 3, 2e6);
   EXPECT_NEAR(1e3 * tip[0] / -0.4690, 1., 1e-3);
@@ -42,7 +42,7 @@ struct PublishedSwing
 
 
 
-TEST(TurekFlag, SwingsAsInTheBenchmarkCsm3StepForStep)
+TEST(TurekFlag, swings_as_in_the_benchmark_csm3_step_for_step)
 {
   std::vector<PublishedSwing> rows = {
     {0.02, {-14.404, 14.408}, {-64.371, 64.695}, 1.0956},
@@ -68,7 +68,7 @@ TEST(TurekFlag, SwingsAsInTheBenchmarkCsm3StepForStep)
 
 
 #ifndef DEBUG
-TEST(TurekFlag, SwingsBetweenRestAndTwiceTheMeanInSmallSteps)
+TEST(TurekFlag, swings_between_rest_and_twice_the_mean_in_small_steps)
 {
   // Half the step changes these means over all swings by less than 0.3 %.
   const double dt     = 0.0025;

@@ -56,7 +56,7 @@ namespace
 
 
 
-TEST(DirectSolver, SolvesUnsymmetricIndefiniteSystemsAndRefactorizes)
+TEST(DirectSolver, solves_unsymmetric_indefinite_systems_and_refactorizes)
 {
   const auto sparsity = pattern();
   Matrix     matrix(sparsity);
@@ -74,7 +74,7 @@ TEST(DirectSolver, SolvesUnsymmetricIndefiniteSystemsAndRefactorizes)
 
 
 
-TEST(DirectSolver, SingularMatricesAreReportedAndDoNoLastingHarm)
+TEST(DirectSolver, singular_matrices_are_reported_and_do_no_lasting_harm)
 {
   const auto sparsity = pattern();
   Matrix     matrix(sparsity);
@@ -93,7 +93,7 @@ TEST(DirectSolver, SingularMatricesAreReportedAndDoNoLastingHarm)
 
 
 
-TEST(DirectSolver, MatricesThatAreNotFiniteAreReported)
+TEST(DirectSolver, matrices_that_are_not_finite_are_reported)
 {
   const auto sparsity = pattern();
   Matrix     matrix(sparsity);
@@ -108,7 +108,7 @@ TEST(DirectSolver, MatricesThatAreNotFiniteAreReported)
 
 
 
-TEST(DirectSolver, FollowsANewSparsityPatternAfterReset)
+TEST(DirectSolver, follows_a_new_sparsity_pattern_after_reset)
 {
   const auto sparsity = pattern();
   Matrix     matrix(sparsity);

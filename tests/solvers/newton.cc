@@ -73,7 +73,7 @@ namespace
 
 
 
-TEST(Newton, ConvergesQuadraticallyNearARoot)
+TEST(Newton, converges_quadratically_near_a_root)
 {
   Scalar     system([](const double x) { return std::exp(x) - 2.; },
                 [](const double x) { return std::exp(x); });
@@ -90,7 +90,7 @@ TEST(Newton, ConvergesQuadraticallyNearARoot)
 
 
 
-TEST(Newton, SolvesALinearEquationInOneIteration)
+TEST(Newton, solves_a_linear_equation_in_one_iteration)
 {
   Scalar     system([](const double x) { return 3. * x - 6.; },
                 [](const double) { return 3.; });
@@ -103,7 +103,7 @@ TEST(Newton, SolvesALinearEquationInOneIteration)
 
 
 
-TEST(Newton, LineSearchSavesWhatFullStepsOvershoot)
+TEST(Newton, line_search_saves_what_full_steps_overshoot)
 {
   // Full steps diverge for |x| > 1.392.
   Scalar     system([](const double x) { return std::atan(x); },
@@ -116,7 +116,7 @@ TEST(Newton, LineSearchSavesWhatFullStepsOvershoot)
 
 
 
-TEST(Newton, StepsBackFromWhereNoResidualExists)
+TEST(Newton, steps_back_from_where_no_residual_exists)
 {
   // The first step leads beyond the end of the domain at 1.
   Scalar     system([](const double x) { return 1. / (1. - x) - 20.; },
@@ -130,7 +130,7 @@ TEST(Newton, StepsBackFromWhereNoResidualExists)
 
 
 
-TEST(Newton, StartWithoutResidualIsReported)
+TEST(Newton, start_without_residual_is_reported)
 {
   Scalar     system([](const double x) { return x; },
                 [](const double) { return 1.; },
@@ -143,7 +143,7 @@ TEST(Newton, StartWithoutResidualIsReported)
 
 
 
-TEST(Newton, SingularTangentIsReported)
+TEST(Newton, singular_tangent_is_reported)
 {
   Scalar     system([](const double x) { return x * x - 1.; },
                 [](const double x) { return 2. * x; });
@@ -155,7 +155,7 @@ TEST(Newton, SingularTangentIsReported)
 
 
 
-TEST(Newton, EquationWithoutRootEndsWithAReason)
+TEST(Newton, equation_without_root_ends_with_a_reason)
 {
   Scalar     system([](const double x) { return x * x + 1.; },
                 [](const double x) { return 2. * x; });
@@ -167,7 +167,7 @@ TEST(Newton, EquationWithoutRootEndsWithAReason)
 
 
 
-TEST(Newton, KeepsATangentAsLongAsItIsGood)
+TEST(Newton, keeps_a_tangent_as_long_as_it_is_good)
 {
   // The chord of slope f'(1) contracts by 1 - f'(x)/f'(1), which is 0.26 at
   // ln 2; a new tangent is needed once, where 0.2 is asked for.
@@ -189,7 +189,7 @@ TEST(Newton, KeepsATangentAsLongAsItIsGood)
 
 
 
-TEST(Newton, LeavesAKeptTangentThatLeadsAway)
+TEST(Newton, leaves_a_kept_tangent_that_leads_away)
 {
   Scalar        system([](const double x) { return std::atan(x); },
                 [](const double x) { return 1. / (1. + x * x); });

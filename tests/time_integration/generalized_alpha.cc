@@ -63,7 +63,7 @@ namespace
 
 
 
-TEST(GeneralizedAlpha, IsOfSecondOrderForEverySpectralRadius)
+TEST(GeneralizedAlpha, is_of_second_order_for_every_spectral_radius)
 {
   for (const double rho : {0., 0.3, 0.5, 0.8, 1.})
     EXPECT_NEAR(std::log2(oscillator_error(rho, 400) /
@@ -75,7 +75,8 @@ TEST(GeneralizedAlpha, IsOfSecondOrderForEverySpectralRadius)
 
 
 
-TEST(GeneralizedAlpha, ConservesTheEnergyOfAnOscillatorForUnitSpectralRadius)
+TEST(GeneralizedAlpha,
+     conserves_the_energy_of_an_oscillator_for_unit_spectral_radius)
 {
   Oscillator   oscillator(1., 5.);
   const double start = oscillator.energy();
@@ -86,7 +87,7 @@ TEST(GeneralizedAlpha, ConservesTheEnergyOfAnOscillatorForUnitSpectralRadius)
 
 
 
-TEST(GeneralizedAlpha, DampsStiffModesByTheSpectralRadius)
+TEST(GeneralizedAlpha, damps_stiff_modes_by_the_spectral_radius)
 {
   // For omega dt -> infinity the amplitude falls by rho a step.
   for (const double rho : {0.2, 0.5, 0.8})
@@ -106,7 +107,7 @@ TEST(GeneralizedAlpha, DampsStiffModesByTheSpectralRadius)
 
 
 
-TEST(GeneralizedAlpha, FollowsConstantAccelerationExactly)
+TEST(GeneralizedAlpha, follows_constant_acceleration_exactly)
 {
   const double     g = -9.81, dt = 0.3;
   GeneralizedAlpha method(0.5);
@@ -129,7 +130,7 @@ TEST(GeneralizedAlpha, FollowsConstantAccelerationExactly)
 
 
 
-TEST(GeneralizedAlpha, RefusesASpectralRadiusOutsideItsRange)
+TEST(GeneralizedAlpha, refuses_a_spectral_radius_outside_its_range)
 {
   EXPECT_THROW(GeneralizedAlpha(-0.1), asperity::InputError);
   EXPECT_THROW(GeneralizedAlpha(1.1), asperity::InputError);
