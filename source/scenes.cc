@@ -89,6 +89,7 @@ namespace
     static const std::map<std::string, std::function<int(const Arguments &)>>
       commands = {{"run", on_file(run_file)},
                   {"check", on_file(check_file)},
+                  {"new", new_scene},
                   {"parameters", print_parameters},
                   {"topography", on_file(topography_report)},
                   {"characterize", on_file(characterize)}};

@@ -1,9 +1,9 @@
+#include <asperity/base/commented_parameters.h>
 #include <asperity/base/parameters.h>
 #include <asperity/base/text.h>
 
 #include <algorithm>
 #include <ostream>
-#include <sstream>
 
 // What is written of the parameters: the complete file and the reference.
 
@@ -11,29 +11,6 @@ namespace asperity
 {
   namespace
   {
-    /** Lines of at most @p width characters that start with @p prefix. */
-    void
-    write_wrapped(std::ostream      &out,
-                  const std::string &text,
-                  const std::string &prefix,
-                  const std::size_t  width)
-    {
-      std::istringstream words(text);
-      std::string        word, line;
-      while (words >> word)
-        {
-          if (!line.empty() &&
-              prefix.size() + line.size() + 1 + word.size() > width)
-            {
-              out << prefix << line << '\n';
-              line.clear();
-            }
-          line += (line.empty() ? "" : " ") + word;
-        }
-      if (!line.empty())
-        out << prefix << line << '\n';
-    }
-
     /** Subsections in the order of declaration, each once. */
     std::vector<std::string>
     subsections_of(const std::vector<ParameterEntry> &entries)
@@ -79,7 +56,7 @@ namespace asperity
         for (const ParameterEntry &entry : declared)
           if (entry.subsection == subsection)
             {
-              write_wrapped(out, entry.sentence, indent + "# ", 80);
+              write_wrapped(out, entry.sentence, indent + "# ");
               write_wrapped(out,
                             "[" + entry.kind + ": " + entry.range +
                               (entry.need == Need::mandatory ?
@@ -89,8 +66,7 @@ namespace asperity
                                       "empty" :
                                       entry.default_text) +
                                    "]"),
-                            indent + "# ",
-                            80);
+                            indent + "# ");
               const std::string value = get(entry.path());
               if (entry.need == Need::mandatory && !entry.given)
                 out << indent << "# set " << entry.key << " = \n";

@@ -328,8 +328,8 @@ namespace asperity
     }
   } // namespace
 
-  Profile
-  make_profile(const TopographyParameters &parameters, TopographyReport &report)
+  HeightMap
+  treat_map(const TopographyParameters &parameters, TopographyReport &report)
   {
     report        = {};
     HeightMap map = read_surface(parameters);
@@ -338,9 +338,15 @@ namespace asperity
     remove_spikes_and_crop(parameters, map, report);
     remove_form_and_filter(parameters, map, report);
     report.areal = areal_roughness(map);
-    take_profile(parameters, map, report);
+    return map;
+  }
+
+  Profile
+  make_profile(const TopographyParameters &parameters, TopographyReport &report)
+  {
+    report.map = treat_map(parameters, report);
+    take_profile(parameters, report.map, report);
     finish_profile(parameters, report);
-    report.map = std::move(map);
     return report.profile;
   }
 } // namespace asperity

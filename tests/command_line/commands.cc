@@ -10,6 +10,7 @@ TEST_F(Commands, help_lists_every_command)
   EXPECT_EQ(result.status, 0);
   for (const std::string command : {"asperity run FILE.prm",
                                     "asperity check FILE.prm",
+                                    "asperity new SURFACE",
                                     "asperity parameters [--campaign]",
                                     "asperity characterize FILE.prm",
                                     "asperity predict LAW",

@@ -46,6 +46,15 @@ namespace asperity
   };
 
   /**
+   * Read the file, remove spikes, crop, remove the form and filter: the map of
+   * which make_profile() takes its profile. The report is filled as far.
+   *
+   * @throw InputError if the file or one of the choices is not usable.
+   */
+  HeightMap
+  treat_map(const TopographyParameters &parameters, TopographyReport &report);
+
+  /**
    * Read the file, remove spikes, crop, remove the form, filter, take the
    * profile, fill its gaps, make it periodic and scale it.
    *
