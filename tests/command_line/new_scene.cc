@@ -69,7 +69,7 @@ TEST_F(NewScene, a_map_becomes_mu_with_two_commands)
         "  set Steady step = 100 nm\nend\n");
   const Result sliding = run("short.prm");
   EXPECT_EQ(sliding.status, 0) << sliding.errors;
-  const auto at = sliding.output.find("mu = ");
+  const auto at = sliding.output.rfind("mu = ");
   ASSERT_NE(at, std::string::npos) << sliding.output;
   // more than nothing, less than the slopes of the tool allow
   const double mu = std::stod(sliding.output.substr(at + 5));
@@ -146,10 +146,8 @@ TEST_F(NewScene, measured_maps_become_valid_scenes)
 {
   if (!std::filesystem::exists(measured))
     GTEST_SKIP() << measured << " is not here";
-  for (const std::string name : {"alicona_al3d-1.al3d",
-                                 "sample-land.x3p",
-                                 "wire_cut_aluminium.x3p",
-                                 "sensofar_plu1_unidirectional.x3p"})
+  for (const std::string name :
+       {"alicona_al3d-1.al3d", "wire_cut_aluminium.x3p"})
     {
       const Result made = run("new " + measured + name);
       ASSERT_EQ(made.status, 0) << name << made.errors;
