@@ -111,8 +111,8 @@ namespace asperity
     const double      ratio = texture.aspect_ratio();
     const std::string slopes =
       "the root mean square slope is " + number(texture.largest_slope) +
-      " at " + format_quantity(texture.direction, "deg", 3) + " to x and " +
-      number(texture.smallest_slope) + " across that";
+      " at " + std::to_string(std::lround(texture.direction * 180. / M_PI)) +
+      " deg" + " to x and " + number(texture.smallest_slope) + " across that";
     std::string reason;
     direction = 0.;
     if (map.ny == 1)

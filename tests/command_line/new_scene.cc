@@ -119,6 +119,18 @@ TEST_F(NewScene, a_text_without_units_asks_for_the_options)
   EXPECT_FALSE(std::filesystem::exists(folder / "map.prm"));
 }
 
+TEST_F(NewScene, a_name_that_a_parameter_file_cannot_hold_is_refused)
+{
+  write("tool #1.txt", matrix());
+  EXPECT_NE(refusal("'tool #1.txt' --spacing 0.5um --unit um")
+              .find("cannot stand in a parameter file"),
+            std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(folder / "tool #1.prm"));
+  write("tool#1.txt", matrix());
+  EXPECT_EQ(run("new 'tool#1.txt' --spacing 0.5um --unit um").status, 0);
+  EXPECT_EQ(run("check 'tool#1.prm'").status, 0);
+}
+
 TEST_F(NewScene, wrong_command_lines_are_refused)
 {
   const std::string map = surfaces + "polished_tool.x3p";
