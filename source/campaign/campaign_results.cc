@@ -2,7 +2,6 @@
 #include <asperity/base/text.h>
 #include <asperity/base/version.h>
 #include <asperity/campaign/campaign_results.h>
-#include <asperity/constitutive/johnson_cook.h>
 
 #include <algorithm>
 #include <cmath>
@@ -52,17 +51,18 @@ namespace asperity
       const SceneInput          scene(parameters.base_scene);
       const MaterialParameters &material = scene.parameters.material;
       ShearLimit                limit;
-      if (material.law != MaterialLawName::johnson_cook)
+      const auto                law = material.make_law();
+      if (law->name() != JohnsonCookParameters::name)
         return limit;
-      const JohnsonCook law(material.johnson_cook);
-      limit.strain = parameters.law.shear_strain;
-      limit.rate   = parameters.law.shear_rate;
-      limit.k_0    = law.hardening(limit.strain).value *
-                  law.rate_factor(limit.rate).value / std::sqrt(3.);
-      limit.exponent = material.johnson_cook.m;
-      limit.transition_temperature =
-        material.johnson_cook.transition_temperature;
-      limit.melting_temperature = material.johnson_cook.melting_temperature;
+      const auto &constants = material.constants<JohnsonCookParameters>();
+      limit.strain          = parameters.law.shear_strain;
+      limit.rate            = parameters.law.shear_rate;
+      limit.k_0             = law->shear_limit(limit.strain,
+                                   limit.rate,
+                                   constants.transition_temperature);
+      limit.exponent        = constants.m;
+      limit.transition_temperature = constants.transition_temperature;
+      limit.melting_temperature    = constants.melting_temperature;
       return limit;
     }
 

@@ -1,4 +1,5 @@
 #include <asperity/base/errors.h>
+#include <asperity/base/parameters.h>
 #include <asperity/constitutive/elastic_parameters.h>
 
 #include <string>
@@ -26,6 +27,29 @@ namespace asperity
   ElasticParameters::bulk_modulus() const
   {
     return young_modulus / (3. * (1. - 2. * poisson_ratio));
+  }
+
+
+
+  void
+  ElasticParameters::declare(ParameterDeclarator &parameters)
+  {
+    parameters.quantity("Density",
+                        density,
+                        "kg/m^3",
+                        Range::between(1., 1e5),
+                        "Mass density rho of the undeformed body.");
+    parameters.quantity("Young's modulus",
+                        young_modulus,
+                        "GPa",
+                        Range::between(1e6, 2e12),
+                        "Young's modulus E at small strain.");
+    parameters.number(
+      "Poisson's ratio",
+      poisson_ratio,
+      Range::between(-0.9, 0.49),
+      "Poisson's ratio nu at small strain; nearer to 0.5, where a body "
+      "keeps its volume, the splines lock: they hardly yield.");
   }
 
 

@@ -4,6 +4,9 @@
 
 namespace asperity::hencky
 {
+  using dealii::SymmetricTensor;
+  using dealii::Tensor;
+
   namespace
   {
     /** f(x) = atanh(sqrt x)/sqrt x and f', with 1 - x given separately. */
@@ -70,40 +73,38 @@ namespace asperity::hencky
       const double d_d = d_g * t.difference + g * d_difference;
       return {d_a + d_d, d_a - d_d, d_g * t.shear + g * d_shear, 0.};
     }
-
-
-
   } // namespace
 
 
 
   TrialStrain
-  trial_strain(const PlaneTensor &F, const std::array<double, 4> &Cp_inverse)
+  trial_strain(const Tensor<2, 3> &F, const SymmetricTensor<2, 3> &Cp_inverse)
   {
     TrialStrain  t;
-    const double J2 = F[0] * F[3] - F[1] * F[2];
-    const double det_Cp =
-      Cp_inverse[0] * Cp_inverse[1] - Cp_inverse[2] * Cp_inverse[2];
-    t.valid = (J2 > 0. && F[4] > 0. && det_Cp > 0. && Cp_inverse[3] > 0.);
+    const double C11 = Cp_inverse[0][0], C22 = Cp_inverse[1][1],
+                 C12 = Cp_inverse[0][1], C33 = Cp_inverse[2][2];
+    const double J2     = F[0][0] * F[1][1] - F[0][1] * F[1][0];
+    const double det_Cp = C11 * C22 - C12 * C12;
+    t.valid             = (J2 > 0. && F[2][2] > 0. && det_Cp > 0. && C33 > 0.);
     if (!t.valid)
       return t;
 
-    t.F_inverse[0][0] = F[3] / J2;
-    t.F_inverse[0][1] = -F[1] / J2;
-    t.F_inverse[1][0] = -F[2] / J2;
-    t.F_inverse[1][1] = F[0] / J2;
-    t.F33_inverse     = 1. / F[4];
+    t.F_inverse[0][0] = F[1][1] / J2;
+    t.F_inverse[0][1] = -F[0][1] / J2;
+    t.F_inverse[1][0] = -F[1][0] / J2;
+    t.F_inverse[1][1] = F[0][0] / J2;
+    t.F33_inverse     = 1. / F[2][2];
 
-    t.G[0][0] = Cp_inverse[0] * F[0] + Cp_inverse[2] * F[1];
-    t.G[0][1] = Cp_inverse[0] * F[2] + Cp_inverse[2] * F[3];
-    t.G[1][0] = Cp_inverse[2] * F[0] + Cp_inverse[1] * F[1];
-    t.G[1][1] = Cp_inverse[2] * F[2] + Cp_inverse[1] * F[3];
+    t.G[0][0] = C11 * F[0][0] + C12 * F[0][1];
+    t.G[0][1] = C11 * F[1][0] + C12 * F[1][1];
+    t.G[1][0] = C12 * F[0][0] + C22 * F[0][1];
+    t.G[1][1] = C12 * F[1][0] + C22 * F[1][1];
 
-    const double b11 = F[0] * t.G[0][0] + F[1] * t.G[1][0];
-    const double b22 = F[2] * t.G[0][1] + F[3] * t.G[1][1];
+    const double b11 = F[0][0] * t.G[0][0] + F[0][1] * t.G[1][0];
+    const double b22 = F[1][0] * t.G[0][1] + F[1][1] * t.G[1][1];
     t.mean           = 0.5 * (b11 + b22);
     t.difference     = 0.5 * (b11 - b22);
-    t.shear          = F[0] * t.G[0][1] + F[1] * t.G[1][1];
+    t.shear          = F[0][0] * t.G[0][1] + F[0][1] * t.G[1][1];
 
     const double det_b = J2 * J2 * det_Cp;
     const double mean2 = t.mean * t.mean;
@@ -115,7 +116,7 @@ namespace asperity::hencky
     t.strain       = {a + g * t.difference,
                       a - g * t.difference,
                       g * t.shear,
-                      0.5 * std::log(F[4] * F[4] * Cp_inverse[3])};
+                      0.5 * std::log(F[2][2] * F[2][2] * C33)};
     t.trace        = 2. * a + t.strain.zz;
     t.valid        = std::isfinite(contract(t.strain, t.strain));
     return t;
@@ -123,66 +124,71 @@ namespace asperity::hencky
 
 
 
-  PlaneTensor
-  first_piola_kirchhoff(const SymmetricPlane &tau, const TrialStrain &t)
+  void
+  fill_stress(const SymmetricPlane &tau, const TrialStrain &t, Tensor<2, 3> &P)
   {
     const auto &Fi = t.F_inverse;
-    return {{tau.xx * Fi[0][0] + tau.xy * Fi[0][1],
-             tau.xx * Fi[1][0] + tau.xy * Fi[1][1],
-             tau.xy * Fi[0][0] + tau.yy * Fi[0][1],
-             tau.xy * Fi[1][0] + tau.yy * Fi[1][1],
-             tau.zz * t.F33_inverse}};
+    P[0][0]        = tau.xx * Fi[0][0] + tau.xy * Fi[0][1];
+    P[0][1]        = tau.xx * Fi[1][0] + tau.xy * Fi[1][1];
+    P[1][0]        = tau.xy * Fi[0][0] + tau.yy * Fi[0][1];
+    P[1][1]        = tau.xy * Fi[1][0] + tau.yy * Fi[1][1];
+    P[2][2]        = tau.zz * t.F33_inverse;
   }
+
+
+
+  namespace
+  {
+    /** dP/dF_{kL} by the rate of the trial strain that goes with it. */
+    void
+    fill_column(const SpatialTangent &c,
+                const TrialStrain    &t,
+                const Tensor<2, 3>   &P,
+                const SymmetricPlane &d_strain,
+                const int             k,
+                const int             L,
+                Tensor<4, 3>         &tangent)
+    {
+      const double volume =
+        c.volumetric * (d_strain.xx + d_strain.yy + d_strain.zz);
+      const double radial = c.radial * contract(c.s, d_strain);
+
+      // dP = (dtau - P dF^T) F^{-T}
+      const double tau_xy  = c.shear * d_strain.xy + radial * c.s.xy;
+      double       M[2][2] = {
+              {volume + c.shear * d_strain.xx + radial * c.s.xx, tau_xy},
+              {tau_xy, volume + c.shear * d_strain.yy + radial * c.s.yy}};
+      double M33 = volume + c.shear * d_strain.zz + radial * c.s.zz;
+      if (k == 2)
+        M33 -= P[2][2];
+      else
+        for (int i = 0; i < 2; ++i)
+          M[i][k] -= P[i][L];
+      for (int i = 0; i < 2; ++i)
+        for (int J = 0; J < 2; ++J)
+          tangent[i][J][k][L] =
+            M[i][0] * t.F_inverse[J][0] + M[i][1] * t.F_inverse[J][1];
+      tangent[2][2][k][L] = M33 * t.F33_inverse;
+    }
+  } // namespace
 
 
 
   void
   fill_tangent(const SpatialTangent &c,
                const TrialStrain    &t,
-               const PlaneTensor    &P,
-               PlaneTangent         &tangent)
+               const Tensor<2, 3>   &P,
+               Tensor<4, 3>         &tangent)
   {
-    for (int column = 0; column < 5; ++column)
-      {
-        const bool           in_plane = (column < 4);
-        const int            k = column / 2, L = column % 2;
-        const SymmetricPlane d_strain =
-          in_plane ? strain_derivative(t, k, L) :
-                     SymmetricPlane{0., 0., 0., t.F33_inverse};
-        const double volume =
-          c.volumetric * (d_strain.xx + d_strain.yy + d_strain.zz);
-        const double radial = c.radial * contract(c.s, d_strain);
-
-        // dP = (dtau - P dF^T) F^{-T}
-        double M11 = volume + c.shear * d_strain.xx + radial * c.s.xx;
-        double M22 = volume + c.shear * d_strain.yy + radial * c.s.yy;
-        double M12 = c.shear * d_strain.xy + radial * c.s.xy;
-        double M21 = M12;
-        double M33 = volume + c.shear * d_strain.zz + radial * c.s.zz;
-        if (!in_plane)
-          M33 -= P[4];
-        else if (k == 0)
-          {
-            M11 -= P[L];
-            M21 -= P[2 + L];
-          }
-        else
-          {
-            M12 -= P[L];
-            M22 -= P[2 + L];
-          }
-        const auto &Fi     = t.F_inverse;
-        tangent[0][column] = M11 * Fi[0][0] + M12 * Fi[0][1];
-        tangent[1][column] = M11 * Fi[1][0] + M12 * Fi[1][1];
-        tangent[2][column] = M21 * Fi[0][0] + M22 * Fi[0][1];
-        tangent[3][column] = M21 * Fi[1][0] + M22 * Fi[1][1];
-        tangent[4][column] = M33 * t.F33_inverse;
-      }
+    for (int k = 0; k < 2; ++k)
+      for (int L = 0; L < 2; ++L)
+        fill_column(c, t, P, strain_derivative(t, k, L), k, L, tangent);
+    fill_column(c, t, P, {0., 0., 0., t.F33_inverse}, 2, 2, tangent);
   }
 
 
 
-  std::array<double, 4>
+  SymmetricTensor<2, 3>
   updated_Cp_inverse(const TrialStrain    &t,
                      const SymmetricPlane &deviator,
                      const double          ratio)
@@ -204,16 +210,14 @@ namespace asperity::hencky
     const double          h01 = Fi[0][0] * b12 + Fi[0][1] * b22;
     const double          h10 = Fi[1][0] * b11 + Fi[1][1] * b12;
     const double          h11 = Fi[1][0] * b12 + Fi[1][1] * b22;
-    std::array<double, 4> C   = {{h00 * Fi[0][0] + h01 * Fi[0][1],
-                                  h10 * Fi[1][0] + h11 * Fi[1][1],
-                                  h00 * Fi[1][0] + h01 * Fi[1][1],
-                                  b33 * t.F33_inverse * t.F33_inverse}};
+    SymmetricTensor<2, 3> C;
+    C[0][0] = h00 * Fi[0][0] + h01 * Fi[0][1];
+    C[1][1] = h10 * Fi[1][0] + h11 * Fi[1][1];
+    C[0][1] = h00 * Fi[1][0] + h01 * Fi[1][1];
+    C[2][2] = b33 * t.F33_inverse * t.F33_inverse;
     // det C_p = 1 up to round-off; its first-order correction keeps the
     // round-off of many steps from adding up.
-    const double correction =
-      1. - ((C[0] * C[1] - C[2] * C[2]) * C[3] - 1.) / 3.;
-    for (double &c : C)
-      c *= correction;
+    C *= 1. - ((C[0][0] * C[1][1] - C[0][1] * C[0][1]) * C[2][2] - 1.) / 3.;
     return C;
   }
 } // namespace asperity::hencky

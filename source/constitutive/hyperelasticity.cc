@@ -4,38 +4,41 @@
 
 namespace asperity
 {
+  using dealii::SymmetricTensor;
+  using dealii::Tensor;
+
   namespace
   {
-    // Row and column in the 3x3 matrix of each component of a PlaneTensor.
-    constexpr int row_of[5]    = {0, 0, 1, 1, 2};
-    constexpr int column_of[5] = {0, 1, 0, 1, 2};
-
-
-
     /** det F, or 0 if it is not positive and finite or F33 is not positive. */
     double
-    positive_determinant(const PlaneTensor &F)
+    positive_determinant(const Tensor<2, 3> &F)
     {
-      const double J2 = F[0] * F[3] - F[1] * F[2];
-      const double J  = J2 * F[4];
-      return (J2 > 0. && F[4] > 0. && std::isfinite(J)) ? J : 0.;
+      const double J = determinant(F);
+      return (J > 0. && F[2][2] > 0. && std::isfinite(J)) ? J : 0.;
     }
 
 
 
     /** sqrt(3/2) |dev(P F^T)|. */
     double
-    mises_kirchhoff(const PlaneTensor &P, const PlaneTensor &F)
+    mises_kirchhoff(const Tensor<2, 3> &P, const Tensor<2, 3> &F)
     {
-      const double xx    = P[0] * F[0] + P[1] * F[1];
-      const double yy    = P[2] * F[2] + P[3] * F[3];
-      const double xy    = P[0] * F[2] + P[1] * F[3];
-      const double zz    = P[4] * F[4];
-      const double mean  = (xx + yy + zz) / 3.;
-      const double norm2 = (xx - mean) * (xx - mean) +
-                           (yy - mean) * (yy - mean) +
-                           (zz - mean) * (zz - mean) + 2. * xy * xy;
-      return std::sqrt(1.5 * norm2);
+      const SymmetricTensor<2, 3> tau = symmetrize(P * transpose(F));
+      return std::sqrt(1.5) * deviator(tau).norm();
+    }
+
+
+
+    /** Calls entry(i, J, k, L) for each component of dP_iJ/dF_kL. */
+    template <class Entry>
+    void
+    fill(Tensor<4, 3> &tangent, const Entry &entry)
+    {
+      for (int i = 0; i < 3; ++i)
+        for (int J = 0; J < 3; ++J)
+          for (int k = 0; k < 3; ++k)
+            for (int L = 0; L < 3; ++L)
+              tangent[i][J][k][L] = entry(i, J, k, L);
     }
   } // namespace
 
@@ -50,7 +53,7 @@ namespace asperity
 
 
   void
-  StVenantKirchhoff::evaluate(const PlaneTensor   &F,
+  StVenantKirchhoff::evaluate(const Tensor<2, 3>  &F,
                               const MaterialState &old,
                               const double,
                               const bool        with_tangent,
@@ -63,42 +66,19 @@ namespace asperity
     if (response.status != LawStatus::ok)
       return;
 
-    const double E11        = 0.5 * (F[0] * F[0] + F[2] * F[2] - 1.);
-    const double E22        = 0.5 * (F[1] * F[1] + F[3] * F[3] - 1.);
-    const double E12        = 0.5 * (F[0] * F[1] + F[2] * F[3]);
-    const double E33        = 0.5 * (F[4] * F[4] - 1.);
-    const double volumetric = lambda * (E11 + E22 + E33);
-    const double S[3][3]    = {{volumetric + 2. * mu * E11, 2. * mu * E12, 0.},
-                               {2. * mu * E12, volumetric + 2. * mu * E22, 0.},
-                               {0., 0., volumetric + 2. * mu * E33}};
-    response.P              = {{F[0] * S[0][0] + F[1] * S[1][0],
-                                F[0] * S[0][1] + F[1] * S[1][1],
-                                F[2] * S[0][0] + F[3] * S[1][0],
-                                F[2] * S[0][1] + F[3] * S[1][1],
-                                F[4] * S[2][2]}};
-    response.mises          = mises_kirchhoff(response.P, F);
+    const Tensor<2, 3> I = dealii::unit_symmetric_tensor<3>();
+    const Tensor<2, 3> E = 0.5 * (transpose(F) * F - I);
+    const Tensor<2, 3> S = lambda * trace(E) * I + 2. * mu * E;
+    response.P           = F * S;
+    response.mises       = mises_kirchhoff(response.P, F);
 
+    const Tensor<2, 3> b = F * transpose(F);
     if (with_tangent)
-      {
-        // dP_iJ/dF_kL = delta_ik S_JL + lambda F_iJ F_kL
-        //               + mu (F_iL F_kJ + (F F^T)_ik delta_JL)
-        const double f[3][3] = {{F[0], F[1], 0.},
-                                {F[2], F[3], 0.},
-                                {0., 0., F[4]}};
-        double       b[3][3];
-        for (int i = 0; i < 3; ++i)
-          for (int k = 0; k < 3; ++k)
-            b[i][k] = f[i][0] * f[k][0] + f[i][1] * f[k][1] + f[i][2] * f[k][2];
-        for (int p = 0; p < 5; ++p)
-          for (int q = 0; q < 5; ++q)
-            {
-              const int i = row_of[p], J = column_of[p];
-              const int k = row_of[q], L = column_of[q];
-              response.tangent[p][q] =
-                (i == k ? S[J][L] : 0.) + lambda * F[p] * F[q] +
-                mu * (f[i][L] * f[k][J] + (J == L ? b[i][k] : 0.));
-            }
-      }
+      fill(response.tangent,
+           [&](const int i, const int J, const int k, const int L) {
+             return I[i][k] * S[J][L] + lambda * F[i][J] * F[k][L] +
+                    mu * (F[i][L] * F[k][J] + b[i][k] * I[J][L]);
+           });
   }
 
 
@@ -106,7 +86,16 @@ namespace asperity
   std::string
   StVenantKirchhoff::name() const
   {
-    return "St. Venant-Kirchhoff";
+    return StVenantKirchhoffParameters::name;
+  }
+
+
+
+  std::unique_ptr<MaterialLaw>
+  StVenantKirchhoffParameters::make_law(const ElasticParameters &elasticity,
+                                        const HeatingParameters &) const
+  {
+    return std::make_unique<StVenantKirchhoff>(elasticity);
   }
 
 
@@ -120,7 +109,7 @@ namespace asperity
 
 
   void
-  NeoHooke::evaluate(const PlaneTensor   &F,
+  NeoHooke::evaluate(const Tensor<2, 3>  &F,
                      const MaterialState &old,
                      const double,
                      const bool        with_tangent,
@@ -133,27 +122,18 @@ namespace asperity
     if (response.status != LawStatus::ok)
       return;
 
-    const double J2 = F[0] * F[3] - F[1] * F[2];
-    // F^{-T}
-    const double G[3][3] = {{F[3] / J2, -F[2] / J2, 0.},
-                            {-F[1] / J2, F[0] / J2, 0.},
-                            {0., 0., 1. / F[4]}};
-    const double a       = lambda * std::log(J) - mu;
-    for (int p = 0; p < 5; ++p)
-      response.P[p] = mu * F[p] + a * G[row_of[p]][column_of[p]];
-    response.mises = mises_kirchhoff(response.P, F);
+    const Tensor<2, 3> I = dealii::unit_symmetric_tensor<3>();
+    const Tensor<2, 3> G = transpose(invert(F));
+    const double       a = lambda * std::log(J) - mu;
+    response.P           = mu * F + a * G;
+    response.mises       = mises_kirchhoff(response.P, F);
 
-    // dP_iJ/dF_kL = mu delta_ik delta_JL + lambda G_iJ G_kL - a G_iL G_kJ
     if (with_tangent)
-      for (int p = 0; p < 5; ++p)
-        for (int q = 0; q < 5; ++q)
-          {
-            const int i = row_of[p], j = column_of[p];
-            const int k = row_of[q], l = column_of[q];
-            response.tangent[p][q] = (p == q ? mu : 0.) +
-                                     lambda * G[i][j] * G[k][l] -
-                                     a * G[i][l] * G[k][j];
-          }
+      fill(response.tangent,
+           [&](const int i, const int J, const int k, const int L) {
+             return mu * I[i][k] * I[J][L] + lambda * G[i][J] * G[k][L] -
+                    a * G[i][L] * G[k][J];
+           });
   }
 
 
@@ -161,6 +141,15 @@ namespace asperity
   std::string
   NeoHooke::name() const
   {
-    return "neo-Hooke";
+    return NeoHookeParameters::name;
+  }
+
+
+
+  std::unique_ptr<MaterialLaw>
+  NeoHookeParameters::make_law(const ElasticParameters &elasticity,
+                               const HeatingParameters &) const
+  {
+    return std::make_unique<NeoHooke>(elasticity);
   }
 } // namespace asperity

@@ -1,10 +1,84 @@
 #include <asperity/base/errors.h>
+#include <asperity/base/parameters.h>
+#include <asperity/constitutive/finite_strain_j2.h>
 #include <asperity/constitutive/johnson_cook.h>
 
 #include <cmath>
 
 namespace asperity
 {
+  void
+  JohnsonCookParameters::declare(ParameterDeclarator &parameters)
+  {
+    const auto section = parameters.subsection("Johnson-Cook");
+    parameters.quantity(
+      "A", A, "MPa", Range::between(1e3, 1e11), "Initial flow stress A.");
+    parameters.quantity("B",
+                        B,
+                        "MPa",
+                        Range::between(0., 1e12),
+                        "Hardening coefficient B of B eps^n.");
+    parameters.number("n",
+                      n,
+                      Range::between(0.001, 10.),
+                      "Hardening exponent n.");
+    parameters.number("C",
+                      C,
+                      Range::between(0., 1.),
+                      "Rate sensitivity C of 1 + C ln(rate/reference rate).");
+    parameters.quantity(
+      "Reference rate",
+      reference_rate,
+      "1/s",
+      Range::between(1e-12, 1e9),
+      "Plastic strain rate below which the flow stress does not "
+      "depend on the rate.");
+    parameters.number("m",
+                      m,
+                      Range::between(0.01, 20.),
+                      "Exponent m of thermal softening.");
+    parameters.quantity("Transition temperature",
+                        transition_temperature,
+                        "degC",
+                        Range::between(0., 5273.15),
+                        "Temperature at which softening starts.");
+    parameters.quantity(
+      "Melting temperature",
+      melting_temperature,
+      "degC",
+      Range::between(0., 5273.15),
+      "Temperature at which the flow stress has fallen to its "
+      "floor, a thousandth of that at the transition temperature.");
+  }
+
+
+
+  void
+  JohnsonCookParameters::check(const ParameterDeclarator &parameters) const
+  {
+    if (!(melting_temperature > transition_temperature))
+      throw InputError(
+        parameters.where("Material/Johnson-Cook/Melting temperature") +
+        ": found " + format_quantity(melting_temperature, "degC") +
+        "; expected more than the transition temperature of " +
+        format_quantity(transition_temperature, "degC") +
+        ", at which softening starts.");
+  }
+
+
+
+  std::unique_ptr<MaterialLaw>
+  JohnsonCookParameters::make_law(const ElasticParameters &elasticity,
+                                  const HeatingParameters &heating) const
+  {
+    return std::make_unique<FiniteStrainJ2<JohnsonCook>>(name,
+                                                         elasticity,
+                                                         JohnsonCook(*this),
+                                                         heating);
+  }
+
+
+
   JohnsonCook::JohnsonCook(const JohnsonCookParameters &parameters)
     : parameters(parameters)
     , inverse_temperature_range(1. / (parameters.melting_temperature -
@@ -71,5 +145,17 @@ namespace asperity
       return {thermal_floor, 0.};
     return {1. - power,
             -parameters.m * power / homologous * inverse_temperature_range};
+  }
+
+
+
+  std::optional<double>
+  JohnsonCook::softest_temperature(const double strength) const
+  {
+    // 1 - T*^m = strength
+    return parameters.transition_temperature +
+           (parameters.melting_temperature -
+            parameters.transition_temperature) *
+             std::pow(1. - strength, 1. / parameters.m);
   }
 } // namespace asperity

@@ -91,7 +91,7 @@ namespace asperity
   {
     build_surfaces(parameters);
     build_mesh(parameters);
-    law = make_material_law(parameters.material);
+    law = parameters.material.make_law();
     build_chip(parameters);
     build_contact(parameters);
     build_lubricant(parameters);

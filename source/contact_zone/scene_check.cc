@@ -119,7 +119,9 @@ namespace asperity
         ", at which the chip has no strength; expected less than " +
         format_quantity(*melting, "degC", 6) +
         ", near the melting temperature of " +
-        format_quantity(material.johnson_cook.melting_temperature, "degC") +
+        format_quantity(
+          material.constants<JohnsonCookParameters>().melting_temperature,
+          "degC") +
         " (Material/Johnson-Cook/Melting temperature).");
     if (chip.kind == SurfaceKind::harmonics &&
         mesh.spans < elements_per_wave * chip.highest_wave_number())

@@ -26,7 +26,8 @@ namespace asperity
         warnings.push_back(
           "The chip gets as hot as " + format_quantity(hottest, "degC", 5) +
           " and all but melts there (melting temperature " +
-          format_quantity(parameters.material.johnson_cook.melting_temperature,
+          format_quantity(parameters.material.constants<JohnsonCookParameters>()
+                            .melting_temperature,
                           "degC",
                           5) +
           "); nothing conducts the heat away, so that this is an upper bound.");

@@ -130,10 +130,16 @@ namespace asperity
 
   namespace
   {
+    // Row and column of the components of P in plane kinematics.
+    constexpr unsigned int row_of[]    = {0, 0, 1, 1, 2};
+    constexpr unsigned int column_of[] = {0, 1, 0, 1, 2};
+
+
+
     /** K_ab += w dP/dF : (Grad N_a, Grad N_b), for b >= a. */
     template <typename ScratchType>
     void
-    add_tangent(const PlaneTangent &A,
+    add_tangent(const Tensor<4, 3> &A,
                 const double        weight,
                 const bool          axisymmetric,
                 ScratchType        &s)
@@ -143,14 +149,14 @@ namespace asperity
       for (unsigned int c = 0; c < (axisymmetric ? 5u : 4u); ++c)
         for (unsigned int l = 0; l < 2; ++l)
           {
-            const double a_x = weight * A[c][2 * l],
-                         a_y = weight * A[c][2 * l + 1];
-            double *column   = s.columns[2 * c + l].data();
+            const Tensor<2, 3> &by_F = A[row_of[c]][column_of[c]];
+            const double a_x = weight * by_F[l][0], a_y = weight * by_F[l][1];
+            double      *column = s.columns[2 * c + l].data();
             for (unsigned int b = 0; b < n; ++b)
               column[b] = a_x * gx[b] + a_y * gy[b];
             if (axisymmetric && l == 0)
               for (unsigned int b = 0; b < n; ++b)
-                column[b] += weight * A[c][4] * s.hoop[b];
+                column[b] += weight * by_F[2][2] * s.hoop[b];
           }
       for (unsigned int i = 0; i < 2; ++i)
         for (unsigned int l = 0; l < 2; ++l)
@@ -199,7 +205,7 @@ namespace asperity
       {
         const unsigned int point  = element.first_point + q;
         const double       weight = table_.JxW[point];
-        PlaneTensor        F      = {{1., 0., 0., 1., 1.}};
+        Tensor<2, 3>       F      = dealii::unit_symmetric_tensor<3>();
         for (unsigned int a = 0; a < n; ++a)
           {
             const Tensor<1, 2> &gradient = element.gradients[q * n + a];
@@ -207,30 +213,30 @@ namespace asperity
                          u_y             = s.displacement[2 * a + 1];
             s.gradient_x[a]              = gradient[0];
             s.gradient_y[a]              = gradient[1];
-            F[0] += u_x * gradient[0];
-            F[1] += u_x * gradient[1];
-            F[2] += u_y * gradient[0];
-            F[3] += u_y * gradient[1];
+            F[0][0] += u_x * gradient[0];
+            F[0][1] += u_x * gradient[1];
+            F[1][0] += u_y * gradient[0];
+            F[1][1] += u_y * gradient[1];
             if (axisymmetric)
               {
                 s.hoop[a] =
                   element.values[q * n + a] / table_.position[point][0];
-                F[4] += u_x * s.hoop[a];
+                F[2][2] += u_x * s.hoop[a];
               }
           }
         law_->evaluate(F, old_history[point], dt, with_tangent, s.response);
         if (s.response.status != LawStatus::ok)
           return false;
-        const PlaneTensor &P = s.response.P;
-        new_history[point]   = s.response.state;
-        mises[point]         = s.response.mises;
+        const Tensor<2, 3> &P = s.response.P;
+        new_history[point]    = s.response.state;
+        mises[point]          = s.response.mises;
         for (unsigned int a = 0; a < n; ++a)
           {
             s.residual[2 * a] +=
-              weight * (P[0] * s.gradient_x[a] + P[1] * s.gradient_y[a] +
-                        (axisymmetric ? P[4] * s.hoop[a] : 0.));
+              weight * (P[0][0] * s.gradient_x[a] + P[0][1] * s.gradient_y[a] +
+                        (axisymmetric ? P[2][2] * s.hoop[a] : 0.));
             s.residual[2 * a + 1] +=
-              weight * (P[2] * s.gradient_x[a] + P[3] * s.gradient_y[a]);
+              weight * (P[1][0] * s.gradient_x[a] + P[1][1] * s.gradient_y[a]);
           }
         if (with_tangent)
           add_tangent(s.response.tangent, weight, axisymmetric, s);

@@ -36,7 +36,7 @@ TEST_F(ImpossibleScene, a_chip_above_its_melting_temperature)
             std::string::npos);
   write("scene.prm",
         in("Load", " set Temperature = 1600 degC") +
-          in("Material", " set Law = saturation hardening"));
+          in("Material", " set Law = Voce"));
   EXPECT_EQ(run("check scene.prm").status, 0) << "this law does not melt";
 }
 

@@ -103,7 +103,7 @@ TEST(JohnsonCook, IsothermalTableOfFlowStress)
 
 TEST(JohnsonCook, AdiabaticTableByTheFullUpdateAtConstantPlasticRate)
 {
-  const auto   law        = make_material_law(MaterialParameters());
+  const auto   law        = MaterialParameters().make_law();
   const double reported[] = {0.01, 0.1, 0.5, 1.};
   for (const TableRow &row : adiabatic)
     {
@@ -200,7 +200,7 @@ TEST(JohnsonCook, RefusesConstantsWithoutPhysicalMeaning)
     set(parameters);
     try
       {
-        make_material_law(parameters);
+        parameters.make_law();
       }
     catch (const InputError &error)
       {
@@ -209,13 +209,22 @@ TEST(JohnsonCook, RefusesConstantsWithoutPhysicalMeaning)
     return false;
   };
   using P = MaterialParameters;
-  EXPECT_TRUE(refused([](P &p) { p.johnson_cook.A = -1.; }, "constant A"));
-  EXPECT_TRUE(refused([](P &p) { p.johnson_cook.n = 0.; }, "constant n"));
-  EXPECT_TRUE(refused([](P &p) { p.johnson_cook.C = -0.1; }, "constant C"));
-  EXPECT_TRUE(refused([](P &p) { p.johnson_cook.reference_rate = 0.; },
-                      "reference rate"));
-  EXPECT_TRUE(refused([](P &p) { p.johnson_cook.melting_temperature = 290.; },
-                      "melting temperature"));
+  EXPECT_TRUE(
+    refused([](P &p) { p.constants<JohnsonCookParameters>().A = -1.; },
+            "constant A"));
+  EXPECT_TRUE(refused([](P &p) { p.constants<JohnsonCookParameters>().n = 0.; },
+                      "constant n"));
+  EXPECT_TRUE(
+    refused([](P &p) { p.constants<JohnsonCookParameters>().C = -0.1; },
+            "constant C"));
+  EXPECT_TRUE(refused(
+    [](P &p) { p.constants<JohnsonCookParameters>().reference_rate = 0.; },
+    "reference rate"));
+  EXPECT_TRUE(refused(
+    [](P &p) {
+      p.constants<JohnsonCookParameters>().melting_temperature = 290.;
+    },
+    "melting temperature"));
   EXPECT_TRUE(refused([](P &p) { p.elasticity.density = -7800.; }, "density"));
   EXPECT_TRUE(
     refused([](P &p) { p.elasticity.poisson_ratio = 0.5; }, "Poisson"));
@@ -227,8 +236,9 @@ TEST(JohnsonCook, RefusesConstantsWithoutPhysicalMeaning)
     refused([](P &p) { p.heating.heat_capacity = 0.; }, "heat capacity"));
   EXPECT_TRUE(refused(
     [](P &p) {
-      p.law                    = MaterialLawName::saturation_hardening;
-      p.hardening.yield_stress = 0.;
+      VoceParameters voce;
+      voce.yield_stress = 0.;
+      p.choose(voce);
     },
     "yield stress"));
 }

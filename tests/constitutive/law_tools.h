@@ -3,6 +3,7 @@
 
 #include <asperity/constitutive/material_parameters.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -13,19 +14,47 @@
 
 namespace asperity::law_tools
 {
+  using dealii::SymmetricTensor;
+  using dealii::Tensor;
+
+  /** A tensor of plane kinematics. */
+  inline Tensor<2, 3>
+  plane(const double xx,
+        const double xy,
+        const double yx,
+        const double yy,
+        const double zz)
+  {
+    Tensor<2, 3> F;
+    F[0][0] = xx;
+    F[0][1] = xy;
+    F[1][0] = yx;
+    F[1][1] = yy;
+    F[2][2] = zz;
+    return F;
+  }
+
+
+
+  /** Row and column of each component that plane kinematics has. */
+  constexpr std::array<std::array<int, 2>, 5> components = {
+    {{{0, 0}}, {{0, 1}}, {{1, 0}}, {{1, 1}}, {{2, 2}}}};
+
+
+
   /** F of pure stretch in the plane, isochoric, with equivalent strain e. */
-  inline PlaneTensor
+  inline Tensor<2, 3>
   isochoric_stretch(const double e)
   {
     const double k = 0.5 * std::sqrt(3.) * e;
-    return {{std::exp(k), 0., 0., std::exp(-k), 1.}};
+    return plane(std::exp(k), 0., 0., std::exp(-k), 1.);
   }
 
 
 
   inline MaterialResponse
   evaluate(const MaterialLaw   &law,
-           const PlaneTensor   &F,
+           const Tensor<2, 3>  &F,
            const MaterialState &old = {},
            const double         dt  = 0.)
   {
@@ -38,36 +67,25 @@ namespace asperity::law_tools
 
   /** sqrt(3/2) |dev(P F^T)|, from the definition. */
   inline double
-  mises_of(const PlaneTensor &P, const PlaneTensor &F)
+  mises_of(const Tensor<2, 3> &P, const Tensor<2, 3> &F)
   {
-    const double t11 = P[0] * F[0] + P[1] * F[1];
-    const double t12 = P[0] * F[2] + P[1] * F[3];
-    const double t22 = P[2] * F[2] + P[3] * F[3];
-    const double t33 = P[4] * F[4];
-    return std::sqrt(0.5 *
-                       ((t11 - t22) * (t11 - t22) + (t22 - t33) * (t22 - t33) +
-                        (t33 - t11) * (t33 - t11)) +
-                     3. * t12 * t12);
+    const Tensor<2, 3> t = P * transpose(F);
+    const double       a = t[0][0] - t[1][1];
+    const double       b = t[1][1] - t[2][2];
+    const double       c = t[2][2] - t[0][0];
+    return std::sqrt(0.5 * (a * a + b * b + c * c) + 3. * t[0][1] * t[0][1]);
   }
 
 
 
+  /** The largest entry of those that plane kinematics has. */
   inline double
-  determinant(const std::array<double, 4> &Cp_inverse)
-  {
-    return (Cp_inverse[0] * Cp_inverse[1] - Cp_inverse[2] * Cp_inverse[2]) *
-           Cp_inverse[3];
-  }
-
-
-
-  inline double
-  largest(const PlaneTangent &tangent)
+  largest(const Tensor<4, 3> &tangent)
   {
     double value = 0.;
-    for (const auto &row : tangent)
-      for (const double entry : row)
-        value = std::fmax(value, std::abs(entry));
+    for (const auto &[i, J] : components)
+      for (const auto &[k, L] : components)
+        value = std::fmax(value, std::abs(tangent[i][J][k][L]));
     return value;
   }
 
@@ -120,7 +138,7 @@ namespace asperity::law_tools
    */
   inline double
   tangent_error(const MaterialLaw   &law,
-                const PlaneTensor   &F,
+                const Tensor<2, 3>  &F,
                 const MaterialState &old,
                 const double         dt,
                 const double         first_step = 1e-4)
@@ -128,23 +146,23 @@ namespace asperity::law_tools
     const MaterialResponse response = evaluate(law, F, old, dt);
     bool                   failed   = (response.status != LawStatus::ok);
     double                 error    = 0.;
-    for (int row = 0; row < 5; ++row)
-      for (int column = 0; column < 5; ++column)
+    for (const auto &row : components)
+      for (const auto &column : components)
         {
           const auto stress = [&](const double h) {
-            PlaneTensor shifted = F;
-            shifted[column] += h;
+            Tensor<2, 3> shifted = F;
+            shifted[column[0]][column[1]] += h;
             MaterialResponse r;
             law.evaluate(shifted, old, dt, false, r);
             failed = failed || r.status != LawStatus::ok;
-            return r.P[row];
+            return r.P[row[0]][row[1]];
           };
           const double difference = derivative_at_zero(stress, first_step);
-          error =
-            std::fmax(error,
-                      std::abs(difference - response.tangent[row][column]));
-          failed = failed || !std::isfinite(difference) ||
-                   !std::isfinite(response.tangent[row][column]);
+          const double entry =
+            response.tangent[row[0]][row[1]][column[0]][column[1]];
+          error = std::fmax(error, std::abs(difference - entry));
+          failed =
+            failed || !std::isfinite(difference) || !std::isfinite(entry);
         }
     return failed ? std::numeric_limits<double>::infinity() :
                     error / largest(response.tangent);
@@ -152,22 +170,19 @@ namespace asperity::law_tools
 
 
 
-  /** Every law of the factory, with constants that show all of its terms. */
+  /** Every law there is, with constants that show all of its terms. */
   inline std::vector<std::shared_ptr<const MaterialLaw>>
   all_laws()
   {
+    MaterialLaws constants;
+    std::get<VoceParameters>(constants) = {300e6, 500e6, 17., 1e8};
     std::vector<std::shared_ptr<const MaterialLaw>> laws;
-    MaterialParameters                              parameters;
-    parameters.hardening = {300e6, 500e6, 17., 1e8};
-    for (const auto name : {MaterialLawName::johnson_cook,
-                            MaterialLawName::saturation_hardening,
-                            MaterialLawName::hencky,
-                            MaterialLawName::neo_hooke,
-                            MaterialLawName::st_venant_kirchhoff})
-      {
-        parameters.law = name;
-        laws.push_back(make_material_law(parameters));
-      }
+    std::apply(
+      [&](const auto &...law) {
+        (laws.push_back(law.make_law(ElasticParameters(), HeatingParameters())),
+         ...);
+      },
+      constants);
     return laws;
   }
 
@@ -181,12 +196,12 @@ namespace asperity::law_tools
       : generator(seed)
     {}
 
-    PlaneTensor
-    near(const PlaneTensor &F, const double size)
+    Tensor<2, 3>
+    near(const Tensor<2, 3> &F, const double size)
     {
-      PlaneTensor result = F;
-      for (double &component : result)
-        component += size * distribution(generator);
+      Tensor<2, 3> result = F;
+      for (const auto &[i, J] : components)
+        result[i][J] += size * distribution(generator);
       return result;
     }
 
@@ -203,7 +218,7 @@ namespace asperity::law_tools
 
 
 
-  constexpr PlaneTensor identity = {{1., 0., 0., 1., 1.}};
+  const Tensor<2, 3> identity = plane(1., 0., 0., 1., 1.);
 } // namespace asperity::law_tools
 
 #endif

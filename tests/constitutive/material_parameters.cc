@@ -16,11 +16,11 @@ TEST(MaterialParameters, AreReadWithUnits)
   ParameterDeclarator      parameters(handler);
   material.declare(parameters);
   parameters.read_text("subsection Material\n"
-                       "  set Law = saturation hardening\n"
+                       "  set Law = Voce\n"
                        "  set Density = 7.85 g/cm^3\n"
                        "  set Young's modulus = 206.9 GPa\n"
                        "  set Poisson's ratio = 0.3\n"
-                       "  subsection Saturation hardening\n"
+                       "  subsection Voce\n"
                        "    set Yield stress = 450 MPa\n"
                        "  end\n"
                        "  subsection Johnson-Cook\n"
@@ -28,13 +28,14 @@ TEST(MaterialParameters, AreReadWithUnits)
                        "  end\n"
                        "end\n",
                        "steel.prm");
-  EXPECT_EQ(material.law, MaterialLawName::saturation_hardening);
   EXPECT_NEAR(material.elasticity.density, 7850., 1e-9);
   EXPECT_NEAR(material.elasticity.young_modulus, 206.9e9, 1e-3);
-  EXPECT_NEAR(material.hardening.yield_stress, 450e6, 1e-6);
-  EXPECT_NEAR(material.johnson_cook.melting_temperature, 1773.15, 1e-9);
-  const auto law = make_material_law(material);
-  EXPECT_EQ(law->name(), "saturation hardening");
+  EXPECT_NEAR(material.constants<VoceParameters>().yield_stress, 450e6, 1e-6);
+  EXPECT_NEAR(material.constants<JohnsonCookParameters>().melting_temperature,
+              1773.15,
+              1e-9);
+  const auto law = material.make_law();
+  EXPECT_EQ(law->name(), "Voce");
   EXPECT_NEAR(law->density(), 7850., 1e-9);
   EXPECT_NEAR(law->poisson_ratio(), 0.3, 1e-15);
 }

@@ -18,18 +18,13 @@ namespace
 
 
 
-  /** F dF, dF being a shear and a stretch of equivalent strain about e. */
-  PlaneTensor
-  strained(const PlaneTensor &F, const double e)
+  /** dF F, dF being a shear and a stretch of equivalent strain about e. */
+  Tensor<2, 3>
+  strained(const Tensor<2, 3> &F, const double e)
   {
-    const double      k  = 0.6 * e;
-    const double      s  = 0.8 * e;
-    const PlaneTensor dF = {{std::exp(k), s, 0.1 * s, std::exp(-k), 1.}};
-    return {{dF[0] * F[0] + dF[1] * F[2],
-             dF[0] * F[1] + dF[1] * F[3],
-             dF[2] * F[0] + dF[3] * F[2],
-             dF[2] * F[1] + dF[3] * F[3],
-             F[4]}};
+    const double k = 0.6 * e;
+    const double s = 0.8 * e;
+    return plane(std::exp(k), s, 0.1 * s, std::exp(-k), 1.) * F;
   }
 } // namespace
 
@@ -37,7 +32,7 @@ namespace
 
 TEST(ReturnMap, NeverFailsOverRatesTemperaturesAndIncrements)
 {
-  const auto        law = make_material_law(MaterialParameters());
+  const auto        law = MaterialParameters().make_law();
   const JohnsonCook flow{JohnsonCookParameters()};
   const double      three_mu  = 3. * ElasticParameters().shear_modulus();
   int               n_plastic = 0, n_elastic = 0;
@@ -55,11 +50,11 @@ TEST(ReturnMap, NeverFailsOverRatesTemperaturesAndIncrements)
             old.temperature    = celsius + zero_celsius;
             old.plastic_strain = plastic_strain;
             // from the yield surface
-            const PlaneTensor at_yield = isochoric_stretch(
+            const Tensor<2, 3> at_yield = isochoric_stretch(
               flow.static_value(plastic_strain, old.temperature) / three_mu);
-            const PlaneTensor F     = strained(at_yield, increment);
-            const double      dt    = increment / rate;
-            const double      scale = std::fmin(increment, 1e-2);
+            const Tensor<2, 3> F     = strained(at_yield, increment);
+            const double       dt    = increment / rate;
+            const double       scale = std::fmin(increment, 1e-2);
 
             const MaterialResponse r = evaluate(*law, F, old, dt);
             ASSERT_EQ(r.status, LawStatus::ok);
@@ -87,13 +82,13 @@ TEST(ReturnMap, NeverFailsOverRatesTemperaturesAndIncrements)
 
 TEST(ReturnMap, EndsOnTheYieldSurfaceAndHeatsByThePlasticWork)
 {
-  const auto        law = make_material_law(MaterialParameters());
+  const auto        law = MaterialParameters().make_law();
   const JohnsonCook flow{JohnsonCookParameters()};
   RandomDeformation random(5);
   int               n_plastic = 0;
   for (const double dt : {1e-9, 1e-6, 1., 1e6})
     {
-      PlaneTensor   F = identity;
+      Tensor<2, 3>  F = identity;
       MaterialState state;
       for (int step = 0; step < 300; ++step)
         {
@@ -136,7 +131,7 @@ TEST(ReturnMap, PlasticFlowKeepsTheVolume)
   for (const auto &law : all_laws())
     {
       RandomDeformation random(6);
-      PlaneTensor       F = identity;
+      Tensor<2, 3>      F = identity;
       MaterialState     state;
       for (int step = 0; step < 2000; ++step)
         {
@@ -151,11 +146,11 @@ TEST(ReturnMap, PlasticFlowKeepsTheVolume)
 
 TEST(ReturnMap, AStepThatDoesNotMoveDoesNotYieldAgain)
 {
-  const auto        law = make_material_law(MaterialParameters());
+  const auto        law = MaterialParameters().make_law();
   RandomDeformation random(7);
   for (int i = 0; i < 100; ++i)
     {
-      const PlaneTensor      F = random.near(identity, 0.3);
+      const Tensor<2, 3>     F = random.near(identity, 0.3);
       const MaterialResponse r = evaluate(*law, F, {}, 1e9);
       ASSERT_TRUE(r.plastic);
       MaterialState state = r.state;
@@ -173,11 +168,11 @@ TEST(ReturnMap, AStepThatDoesNotMoveDoesNotYieldAgain)
 
 TEST(ReturnMap, HeldAfterAFastStepTheStressRelaxesToTheStaticFlowStress)
 {
-  const auto        law = make_material_law(MaterialParameters());
-  const JohnsonCook flow{JohnsonCookParameters()};
-  const PlaneTensor F  = isochoric_stretch(0.05);
-  MaterialResponse  r  = evaluate(*law, F, {}, 1e-7);
-  double            dt = 1e-7;
+  const auto         law = MaterialParameters().make_law();
+  const JohnsonCook  flow{JohnsonCookParameters()};
+  const Tensor<2, 3> F  = isochoric_stretch(0.05);
+  MaterialResponse   r  = evaluate(*law, F, {}, 1e-7);
+  double             dt = 1e-7;
   for (int step = 0; step < 40; ++step, dt *= 2.)
     {
       const double before = r.mises;
@@ -196,21 +191,22 @@ TEST(ReturnMap, HeldAfterAFastStepTheStressRelaxesToTheStaticFlowStress)
 
 TEST(ReturnMap, TurnsInsideOutOrNotANumberIsAStatus)
 {
-  const double                   nan = std::nan(""), infinity = INFINITY;
-  const std::vector<PlaneTensor> impossible = {{{-1., 0., 0., 1., 1.}},
-                                               {{1., 2., 1., 1., 1.}},
-                                               {{1., 1., 1., 1., 1.}},
-                                               {{1., 0., 0., 1., 0.}},
-                                               {{1., 0., 0., 1., -1.}},
-                                               {{-1., 0., 0., 1., -1.}},
-                                               {{0., 0., 0., 0., 0.}},
-                                               {{nan, 0., 0., 1., 1.}},
-                                               {{1., 0., nan, 1., 1.}},
-                                               {{1., 0., 0., 1., nan}},
-                                               {{infinity, 0., 0., 1., 1.}},
-                                               {{1., 0., 0., 1., infinity}}};
+  const double                    nan = std::nan(""), infinity = INFINITY;
+  const std::vector<Tensor<2, 3>> impossible = {
+    plane(-1., 0., 0., 1., 1.),
+    plane(1., 2., 1., 1., 1.),
+    plane(1., 1., 1., 1., 1.),
+    plane(1., 0., 0., 1., 0.),
+    plane(1., 0., 0., 1., -1.),
+    plane(-1., 0., 0., 1., -1.),
+    plane(0., 0., 0., 0., 0.),
+    plane(nan, 0., 0., 1., 1.),
+    plane(1., 0., nan, 1., 1.),
+    plane(1., 0., 0., 1., nan),
+    plane(infinity, 0., 0., 1., 1.),
+    plane(1., 0., 0., 1., infinity)};
   for (const auto &law : all_laws())
-    for (const PlaneTensor &F : impossible)
+    for (const Tensor<2, 3> &F : impossible)
       EXPECT_EQ(evaluate(*law, F).status, LawStatus::inverted)
         << law->name() << ' ' << F[0] << ' ' << F[1] << ' ' << F[2] << ' '
         << F[3] << ' ' << F[4];

@@ -6,7 +6,7 @@
 namespace loaded_solid
 {
   /**
-   * Cook's membrane in plane strain with saturation hardening (J. C. Simo,
+   * Cook's membrane in plane strain with Voce hardening (J. C. Simo,
    * F. Armero, Int. J. Numer. Methods Eng. 33 (1992) 1413): the tapered panel
    * (0, 0), (48, 44), (48, 60), (0, 44) mm, clamped on the left, a dead shear
    * traction of 0.3125 GPa on the right.
@@ -18,17 +18,16 @@ namespace loaded_solid
                 const unsigned int n_steps)
   {
     MaterialParameters material;
-    material.law                      = MaterialLawName::saturation_hardening;
     material.elasticity.young_modulus = 206.9e9;
     material.elasticity.poisson_ratio = 0.29;
-    material.hardening                = {0.45e9, 0.715e9, 16.93, 0.12924e9};
+    material.choose(VoceParameters{0.45e9, 0.715e9, 16.93, 0.12924e9});
     Body body(
       make_space(degree, equal_spans(n), equal_spans(n)),
       [](const Point<2> &xi) {
         return Point<2>(48e-3 * xi[0],
                         44e-3 * xi[0] + (44e-3 - 28e-3 * xi[0]) * xi[1]);
       },
-      make_material_law(material));
+      material.make_law());
     body.clamp(Edge::left);
     Tensor<1, 2> shear;
     shear[1] = 0.3125e9;

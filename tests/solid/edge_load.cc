@@ -73,7 +73,7 @@ TEST(EdgeLoad, PressureForceIsThatOfTheChordOfTheDeformedEdge)
   // The resultant of a uniform pressure on any curve is that on its chord.
   const auto space    = refined_space(2);
   const auto geometry = PatchGeometry::from_map(*space, bent_rectangle);
-  Body body(space, bent_rectangle, make_material_law(MaterialParameters()));
+  Body       body(space, bent_rectangle, MaterialParameters().make_law());
   body.u = random_vector(2 * space->n_functions(), 0.1);
   Vector R(body.u.size());
   EdgeLoad::follower_pressure(*space,

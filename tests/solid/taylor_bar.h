@@ -31,21 +31,22 @@ namespace loaded_solid
     steel()
     {
       MaterialParameters steel;
-      steel.law                                 = MaterialLawName::johnson_cook;
-      steel.elasticity.density                  = density;
-      steel.elasticity.young_modulus            = 206.9e9;
-      steel.elasticity.poisson_ratio            = 0.3;
-      steel.heating.adiabatic                   = true;
-      steel.heating.heat_capacity               = 460.;
-      steel.heating.heat_fraction               = 0.9;
-      steel.johnson_cook.A                      = 806e6;
-      steel.johnson_cook.B                      = 614e6;
-      steel.johnson_cook.n                      = 0.168;
-      steel.johnson_cook.C                      = 0.0089;
-      steel.johnson_cook.m                      = 1.1;
-      steel.johnson_cook.reference_rate         = 1.;
-      steel.johnson_cook.transition_temperature = room;
-      steel.johnson_cook.melting_temperature    = 1540. + zero_degree;
+      steel.elasticity.density       = density;
+      steel.elasticity.young_modulus = 206.9e9;
+      steel.elasticity.poisson_ratio = 0.3;
+      steel.heating.adiabatic        = true;
+      steel.heating.heat_capacity    = 460.;
+      steel.heating.heat_fraction    = 0.9;
+      JohnsonCookParameters johnson_cook;
+      johnson_cook.A                      = 806e6;
+      johnson_cook.B                      = 614e6;
+      johnson_cook.n                      = 0.168;
+      johnson_cook.C                      = 0.0089;
+      johnson_cook.m                      = 1.1;
+      johnson_cook.reference_rate         = 1.;
+      johnson_cook.transition_temperature = room;
+      johnson_cook.melting_temperature    = 1540. + zero_degree;
+      steel.choose(johnson_cook);
       return steel;
     }
   } // namespace taylor
@@ -139,7 +140,7 @@ namespace loaded_solid
       [](const Point<2> &xi) {
         return Point<2>(taylor::radius * xi[0], taylor::length * xi[1]);
       },
-      make_material_law(taylor::steel()),
+      taylor::steel().make_law(),
       Kinematics::axisymmetric);
     MaterialState cold;
     cold.temperature = taylor::room;

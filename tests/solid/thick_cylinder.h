@@ -20,12 +20,11 @@ namespace loaded_solid
     {
       const double       K = bulk_modulus, G = shear_modulus;
       MaterialParameters material;
-      material.law                      = MaterialLawName::saturation_hardening;
       material.elasticity.young_modulus = 9. * K * G / (3. * K + G);
       material.elasticity.poisson_ratio =
         (3. * K - 2. * G) / (2. * (3. * K + G));
-      material.hardening = {yield_stress, yield_stress, 0., 0.};
-      return make_material_law(material);
+      material.choose(VoceParameters{yield_stress, yield_stress, 0., 0.});
+      return material.make_law();
     }
 
     /** Pressure [Pa] on the inner face of a rigid-plastic cylinder. */

@@ -20,7 +20,7 @@ namespace loaded_solid
              const double       shear_modulus)
   {
     MaterialParameters material;
-    material.law                      = MaterialLawName::st_venant_kirchhoff;
+    material.choose(StVenantKirchhoffParameters());
     material.elasticity.density       = 1000.;
     material.elasticity.poisson_ratio = 0.4;
     material.elasticity.young_modulus = 2. * 1.4 * shear_modulus;
@@ -32,7 +32,7 @@ namespace loaded_solid
         const double arc = 0.2 + std::sqrt(0.05 * 0.05 - (y - 0.2) * (y - 0.2));
         return Point<2>(arc + xi[0] * (0.6 - arc), y);
       },
-      make_material_law(material));
+      material.make_law());
     body->clamp(Edge::left);
     Tensor<1, 2> weight;
     weight[1] = -2. * 1000.;

@@ -3,6 +3,8 @@
 
 namespace asperity
 {
+  class ParameterDeclarator;
+
   /** Isotropic elasticity and inertia; the defaults are steel. */
   struct ElasticParameters
   {
@@ -21,6 +23,10 @@ namespace asperity
     /** lambda + 2/3 mu [Pa]. */
     double
     bulk_modulus() const;
+
+    /** Declares the entries in the present subsection. */
+    void
+    declare(ParameterDeclarator &parameters);
 
     /** @throws InputError if a constant has no physical meaning */
     void

@@ -1,7 +1,8 @@
 #ifndef asperity_constitutive_flow_stress_h
 #define asperity_constitutive_flow_stress_h
 
-#include <limits>
+#include <cmath>
+#include <optional>
 
 namespace asperity
 {
@@ -21,67 +22,41 @@ namespace asperity
     double d_temperature; ///< by temperature [Pa/K]
   };
 
-  // A flow stress is any class with the two members
-  //
-  //   double          static_value(plastic_strain, temperature) const;
-  //   FlowStressValue evaluate(plastic_strain, rate, temperature) const;
-  //
-  // where static_value is the limit of a vanishing rate. The value must be
-  // positive, continuous, and must not decrease with the rate; FiniteStrainJ2
-  // takes such a class as template argument, so that the hot loop has no
-  // virtual calls.
-
   /**
-   * Linear plus saturating (Voce) isotropic hardening, without rate or
-   * temperature:
-   *   sigma = sigma_0 + (sigma_inf - sigma_0) (1 - exp(-delta eps)) + H eps
-   * (J. C. Simo and F. Armero, Int. J. Numer. Methods Eng. 33 (1992) 1413).
-   * With the defaults of sigma_inf, delta and H it is perfect plasticity.
+   * Base of all flow stresses sigma(eps, epsdot, T). A flow stress is a class
+   * `Law : public FlowStress<Law>` with the two members
+   *
+   *   double          static_value(plastic_strain, temperature) const;
+   *   FlowStressValue evaluate(plastic_strain, rate, temperature) const;
+   *
+   * in 1, 1/s and K, where static_value is the limit of a vanishing rate. The
+   * value must be positive, continuous, and must not decrease with the rate.
+   * FiniteStrainJ2 takes such a class as template argument, so that the hot
+   * loop has no virtual calls.
    */
-  struct SaturationHardeningParameters
-  {
-    double yield_stress      = 300e6; ///< sigma_0 [Pa]
-    double saturation_stress = 300e6; ///< sigma_inf [Pa]
-    double saturation_rate   = 0.;    ///< delta
-    double linear_hardening  = 0.;    ///< H [Pa]
-  };
-
-  class SaturationHardening
+  template <class Law>
+  class FlowStress
   {
   public:
-    /**
-     * @throws InputError unless the stresses are positive and delta and H
-     *   are not negative
-     */
-    explicit SaturationHardening(
-      const SaturationHardeningParameters &parameters);
-
+    /** Shear stress at which the point flows, k = sigma/sqrt(3) [Pa] after von
+     *  Mises, at an equivalent plastic strain, its rate [1/s] and a temperature
+     *  [K]. */
     double
-    static_value(const double plastic_strain, const double temperature) const;
-
-    FlowStressValue
-    evaluate(const double plastic_strain,
-             const double rate,
-             const double temperature) const;
-
-  private:
-    SaturationHardeningParameters parameters;
-  };
-
-  /** The flow stress of a body that stays elastic. */
-  class NeverYields
-  {
-  public:
-    double
-    static_value(const double, const double) const
+    shear_limit(const double plastic_strain,
+                const double rate,
+                const double temperature) const
     {
-      return std::numeric_limits<double>::infinity();
+      const Law &law = static_cast<const Law &>(*this);
+      return law.evaluate(plastic_strain, rate, temperature).value /
+             std::sqrt(3.);
     }
 
-    FlowStressValue
-    evaluate(const double, const double, const double) const
+    /** The temperature at which only this part of the strength is left [K];
+     *  empty unless the law hides this member, as one that melts does. */
+    std::optional<double>
+    softest_temperature(const double strength) const
     {
-      return {std::numeric_limits<double>::infinity(), 0., 0., 0.};
+      return {};
     }
   };
 } // namespace asperity

@@ -3,8 +3,6 @@
 
 #include <asperity/constitutive/material_law.h>
 
-#include <array>
-
 /**
  * Logarithmic strain of plane kinematics: from F and C_p^{-1} to the trial
  * elastic strain, and from the Kirchhoff stress back to P, dP/dF and C_p^{-1}.
@@ -45,12 +43,13 @@ namespace asperity::hencky
   };
 
   /**
-   * @param Cp_inverse ordered as in MaterialState
+   * @param F of plane kinematics, see MaterialLaw
    * @return with valid == false if det F or det C_p^{-1} is not positive, or
    *   anything is not finite
    */
   TrialStrain
-  trial_strain(const PlaneTensor &F, const std::array<double, 4> &Cp_inverse);
+  trial_strain(const dealii::Tensor<2, 3>          &F,
+               const dealii::SymmetricTensor<2, 3> &Cp_inverse);
 
   /** The deviator of the trial strain. */
   inline SymmetricPlane
@@ -75,9 +74,11 @@ namespace asperity::hencky
             pressure + shear * e.zz};
   }
 
-  /** P = tau F^{-T}. */
-  PlaneTensor
-  first_piola_kirchhoff(const SymmetricPlane &tau, const TrialStrain &t);
+  /** P = tau F^{-T}, its five components of plane kinematics. */
+  void
+  fill_stress(const SymmetricPlane &tau,
+              const TrialStrain    &t,
+              dealii::Tensor<2, 3> &P);
 
   /**
    * dtau = volumetric tr(deps) 1 + shear deps + radial (s : deps) s,
@@ -116,12 +117,13 @@ namespace asperity::hencky
     return {moduli.bulk - shear / 3., shear, radial, e};
   }
 
-  /** dP/dF for the Kirchhoff stress tau whose P is given. */
+  /** dP/dF for the Kirchhoff stress tau whose P is given, its components of
+   *  plane kinematics. */
   void
-  fill_tangent(const SpatialTangent &c,
-               const TrialStrain    &t,
-               const PlaneTensor    &P,
-               PlaneTangent         &tangent);
+  fill_tangent(const SpatialTangent       &c,
+               const TrialStrain          &t,
+               const dealii::Tensor<2, 3> &P,
+               dealii::Tensor<4, 3>       &tangent);
 
   /**
    * C_p^{-1} = F^{-1} exp(2 eps_e) F^{-T} with eps_e = tr/3 1 + ratio dev.
@@ -129,7 +131,7 @@ namespace asperity::hencky
    * @param deviator dev of the trial strain
    * @param ratio length of the elastic deviator over that of the trial
    */
-  std::array<double, 4>
+  dealii::SymmetricTensor<2, 3>
   updated_Cp_inverse(const TrialStrain    &t,
                      const SymmetricPlane &deviator,
                      const double          ratio);

@@ -1,7 +1,10 @@
 #ifndef asperity_constitutive_hyperelasticity_h
 #define asperity_constitutive_hyperelasticity_h
 
+#include <asperity/constitutive/heating_parameters.h>
 #include <asperity/constitutive/material_law.h>
+
+#include <memory>
 
 namespace asperity
 {
@@ -17,17 +20,38 @@ namespace asperity
     explicit StVenantKirchhoff(const ElasticParameters &elasticity);
 
     void
-    evaluate(const PlaneTensor   &F,
-             const MaterialState &old,
-             const double         dt,
-             const bool           with_tangent,
-             MaterialResponse    &response) const override;
+    evaluate(const dealii::Tensor<2, 3> &F,
+             const MaterialState        &old,
+             const double                dt,
+             const bool                  with_tangent,
+             MaterialResponse           &response) const override;
 
     std::string
     name() const override;
 
   private:
     double lambda, mu;
+  };
+
+  /** Chooses StVenantKirchhoff, which needs no further constants. */
+  struct StVenantKirchhoffParameters
+  {
+    static constexpr const char *name = "St. Venant-Kirchhoff";
+
+    /** Declares nothing. */
+    void
+    declare(ParameterDeclarator &)
+    {}
+
+    /** Nothing to check. */
+    void
+    check(const ParameterDeclarator &) const
+    {}
+
+    /** @throws InputError if a constant has no physical meaning */
+    std::unique_ptr<MaterialLaw>
+    make_law(const ElasticParameters &elasticity,
+             const HeatingParameters &heating) const;
   };
 
   /**
@@ -43,17 +67,38 @@ namespace asperity
     explicit NeoHooke(const ElasticParameters &elasticity);
 
     void
-    evaluate(const PlaneTensor   &F,
-             const MaterialState &old,
-             const double         dt,
-             const bool           with_tangent,
-             MaterialResponse    &response) const override;
+    evaluate(const dealii::Tensor<2, 3> &F,
+             const MaterialState        &old,
+             const double                dt,
+             const bool                  with_tangent,
+             MaterialResponse           &response) const override;
 
     std::string
     name() const override;
 
   private:
     double lambda, mu;
+  };
+
+  /** Chooses NeoHooke, which needs no further constants. */
+  struct NeoHookeParameters
+  {
+    static constexpr const char *name = "neo-Hooke";
+
+    /** Declares nothing. */
+    void
+    declare(ParameterDeclarator &)
+    {}
+
+    /** Nothing to check. */
+    void
+    check(const ParameterDeclarator &) const
+    {}
+
+    /** @throws InputError if a constant has no physical meaning */
+    std::unique_ptr<MaterialLaw>
+    make_law(const ElasticParameters &elasticity,
+             const HeatingParameters &heating) const;
   };
 } // namespace asperity
 

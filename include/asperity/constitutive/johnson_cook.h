@@ -2,6 +2,10 @@
 #define asperity_constitutive_johnson_cook_h
 
 #include <asperity/constitutive/flow_stress.h>
+#include <asperity/constitutive/heating_parameters.h>
+#include <asperity/constitutive/material_law.h>
+
+#include <memory>
 
 namespace asperity
 {
@@ -11,6 +15,8 @@ namespace asperity
    */
   struct JohnsonCookParameters
   {
+    static constexpr const char *name = "Johnson-Cook";
+
     double A                      = 288e6;   ///< initial flow stress [Pa]
     double B                      = 695e6;   ///< hardening [Pa]
     double n                      = 0.2835;  ///< hardening exponent
@@ -19,6 +25,20 @@ namespace asperity
     double m                      = 1.3558;  ///< thermal exponent
     double transition_temperature = 293.15;  ///< softening starts here [K]
     double melting_temperature    = 1773.15; ///< softening ends here [K]
+
+    /** Declares the subsection "Johnson-Cook". */
+    void
+    declare(ParameterDeclarator &parameters);
+
+    /** @throws InputError unless melting comes after the start of softening */
+    void
+    check(const ParameterDeclarator &parameters) const;
+
+    /** FiniteStrainJ2 with this flow stress.
+     *  @throws InputError if a constant has no physical meaning */
+    std::unique_ptr<MaterialLaw>
+    make_law(const ElasticParameters &elasticity,
+             const HeatingParameters &heating) const;
   };
 
   /**
@@ -32,7 +52,7 @@ namespace asperity
    * thermal factor does not fall below thermal_floor, so that a molten point
    * keeps a positive flow stress and a regular tangent.
    */
-  class JohnsonCook
+  class JohnsonCook : public FlowStress<JohnsonCook>
   {
   public:
     /** The smallest thermal factor. */
@@ -56,15 +76,19 @@ namespace asperity
     ValueAndSlope
     thermal_factor(const double temperature) const;
 
-    /** The flow stress at rest [Pa]. */
+    /** The flow stress at rest [Pa]; see FlowStress. */
     double
     static_value(const double plastic_strain, const double temperature) const;
 
-    /** The flow stress and its derivatives. */
+    /** The flow stress and its derivatives; see FlowStress. */
     FlowStressValue
     evaluate(const double plastic_strain,
              const double rate,
              const double temperature) const;
+
+    /** The temperature at which the thermal factor is `strength` [K]. */
+    std::optional<double>
+    softest_temperature(const double strength) const;
 
   private:
     JohnsonCookParameters parameters;

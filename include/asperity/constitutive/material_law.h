@@ -3,34 +3,25 @@
 
 #include <asperity/constitutive/elastic_parameters.h>
 
-#include <array>
+#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/base/tensor.h>
+
+#include <limits>
+#include <optional>
 #include <string>
 
 namespace asperity
 {
-  /**
-   * Components of a two-point tensor of plane kinematics, in this order:
-   * 11, 12, 21, 22, 33. The deformation gradient is
-   * F = [F11 F12 0; F21 F22 0; 0 0 F33] with F33 = 1 in plane strain and
-   * F33 = r/R in axisymmetry (axes 1 = r, 2 = z, 3 = hoop).
-   */
-  using PlaneTensor = std::array<double, 5>;
-
-  /** dP/dF, row = component of P, column = component of F. */
-  using PlaneTangent = std::array<PlaneTensor, 5>;
-
   /** What a material point remembers from one time step to the next. */
   struct MaterialState
   {
     /** Inverse plastic right Cauchy-Green tensor C_p^{-1} in the reference
-     *  frame: 11, 22, 12 (tensor component), 33. */
-    std::array<double, 4> Cp_inverse = {{1., 1., 0., 1.}};
+     *  frame. */
+    dealii::SymmetricTensor<2, 3> Cp_inverse =
+      dealii::unit_symmetric_tensor<3>();
 
-    /** Equivalent plastic strain. */
-    double plastic_strain = 0.;
-
-    /** Temperature in kelvin. */
-    double temperature = 293.15;
+    double plastic_strain = 0.;     ///< equivalent plastic strain
+    double temperature    = 293.15; ///< [K]
 
     /** For archives of Boost.Serialization. */
     template <typename Archive>
@@ -52,18 +43,24 @@ namespace asperity
   /** What a law answers. P and tangent are undefined unless status is ok. */
   struct MaterialResponse
   {
-    PlaneTensor   P{};        ///< first Piola-Kirchhoff stress [Pa]
-    PlaneTangent  tangent{};  ///< consistent tangent dP/dF [Pa]
-    MaterialState state;      ///< at the end of the step
-    double        mises = 0.; ///< equivalent (von Mises) Kirchhoff stress [Pa]
-    bool          plastic = false; ///< whether the step yielded
-    LawStatus     status  = LawStatus::ok;
+    dealii::Tensor<2, 3> P;       ///< first Piola-Kirchhoff stress P_iJ [Pa]
+    dealii::Tensor<4, 3> tangent; ///< dP_iJ/dF_kL [Pa], indices i J k L
+    MaterialState        state;   ///< at the end of the step
+    double    mises   = 0.;    ///< equivalent (von Mises) Kirchhoff stress [Pa]
+    bool      plastic = false; ///< whether the step yielded
+    LawStatus status  = LawStatus::ok;
   };
 
   /**
    * A point law: a pure function (F, old state, dt) -> (P, dP/dF, new state,
    * status), without mesh or degrees of freedom. All are isotropically elastic
    * at small strain.
+   *
+   * The first index of F and P is spatial, the second one material. A law may
+   * rely on plane kinematics, F = [F11 F12 0; F21 F22 0; 0 0 F33] with F33 = 1
+   * in plane strain and F33 = r/R in axisymmetry (axes 1 = r, 2 = z,
+   * 3 = hoop). It then writes those components of P and of the tangent alone
+   * that such an F has; the others stay the zeros of a fresh response.
    */
   class MaterialLaw
   {
@@ -78,14 +75,34 @@ namespace asperity
      * @param with_tangent whether response.tangent is wanted
      */
     virtual void
-    evaluate(const PlaneTensor   &F,
-             const MaterialState &old,
-             const double         dt,
-             const bool           with_tangent,
-             MaterialResponse    &response) const = 0;
+    evaluate(const dealii::Tensor<2, 3> &F,
+             const MaterialState        &old,
+             const double                dt,
+             const bool                  with_tangent,
+             MaterialResponse           &response) const = 0;
 
+    /** As in a parameter file. */
     virtual std::string
     name() const = 0;
+
+    /** Shear stress k at which the point flows [Pa] at an equivalent plastic
+     *  strain, its rate [1/s] and a temperature [K]; infinite if it never
+     *  does, as elastic laws. */
+    virtual double
+    shear_limit(const double plastic_strain,
+                const double rate,
+                const double temperature) const
+    {
+      return std::numeric_limits<double>::infinity();
+    }
+
+    /** The temperature at which only this part of the strength is left [K];
+     *  empty if the law does not melt. */
+    virtual std::optional<double>
+    softest_temperature(const double strength) const
+    {
+      return {};
+    }
 
     /** Reference mass density [kg/m^3]. */
     double

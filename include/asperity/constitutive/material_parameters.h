@@ -1,36 +1,71 @@
 #ifndef asperity_constitutive_material_parameters_h
 #define asperity_constitutive_material_parameters_h
 
-#include <asperity/constitutive/finite_strain_j2.h>
+#include <asperity/constitutive/hencky_elasticity.h>
+#include <asperity/constitutive/hyperelasticity.h>
+#include <asperity/constitutive/johnson_cook.h>
+#include <asperity/constitutive/voce.h>
 
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <tuple>
+#include <type_traits>
 
 namespace asperity
 {
   class ParameterDeclarator;
 
-  /** The point laws there are. */
-  enum class MaterialLawName
-  {
-    johnson_cook,         ///< FiniteStrainJ2 with Johnson-Cook flow stress
-    saturation_hardening, ///< FiniteStrainJ2 with linear and Voce hardening
-    hencky,
-    neo_hooke,
-    st_venant_kirchhoff
-  };
-
   /**
-   * A material as a parameter file describes it. Each law takes what it needs
-   * from it and leaves the rest.
+   * The point laws there are, each by the struct of its own constants; the
+   * first one is the default. Such a struct has
+   *
+   *   static constexpr const char *name;   // as in a parameter file
+   *   void declare(ParameterDeclarator &); // its own subsection, if any
+   *   void check(const ParameterDeclarator &) const; // of its entries
+   *   std::unique_ptr<MaterialLaw>
+   *   make_law(const ElasticParameters &, const HeatingParameters &) const;
+   *
+   * A new law is one more line here.
    */
-  struct MaterialParameters
+  using MaterialLaws = std::tuple<JohnsonCookParameters,
+                                  VoceParameters,
+                                  HenckyParameters,
+                                  NeoHookeParameters,
+                                  StVenantKirchhoffParameters>;
+
+  /** A material as a parameter file describes it: the chosen law, what all laws
+   *  share, and the constants of every law. */
+  class MaterialParameters
   {
-    MaterialLawName               law = MaterialLawName::johnson_cook;
-    ElasticParameters             elasticity;
-    JohnsonCookParameters         johnson_cook;
-    SaturationHardeningParameters hardening;
-    HeatingParameters             heating;
+  public:
+    ElasticParameters elasticity;
+    HeatingParameters heating; ///< elastic laws leave it
+
+    /** The constants of a law, whether it is chosen or not. */
+    template <class Constants>
+    Constants &
+    constants()
+    {
+      return std::get<Constants>(laws);
+    }
+
+    /** See above. */
+    template <class Constants>
+    const Constants &
+    constants() const
+    {
+      return std::get<Constants>(laws);
+    }
+
+    /** Chooses the law with these constants. */
+    template <class Constants>
+    void
+    choose(const Constants &constants)
+    {
+      std::get<Constants>(laws) = constants;
+      chosen                    = place<Constants>();
+    }
 
     /** Declares the subsection "Material". */
     void
@@ -41,20 +76,43 @@ namespace asperity
     void
     check(const ParameterDeclarator &parameters) const;
 
+    /** @throws InputError if a constant of the chosen law has no physical
+     *  meaning */
+    std::unique_ptr<MaterialLaw>
+    make_law() const;
+
     /** The temperature at which only this part of the strength is left [K]: by
-     *  default the floor of the flow stress; empty if the law does not melt. */
+     *  default the floor of the flow stress; empty if the law does not melt.
+     *  @throws InputError as make_law() */
     std::optional<double>
     softest_temperature(
       const double strength = JohnsonCook::thermal_floor) const;
 
-    /** Whether plastic work heats the points of this material. */
+    /** Whether plastic work heats the points of this material.
+     *  @throws InputError as make_law() */
     bool
     heats_itself() const;
-  };
 
-  /** @throws InputError if the parameters have no physical meaning */
-  std::unique_ptr<MaterialLaw>
-  make_material_law(const MaterialParameters &parameters);
+  private:
+    /** A place in MaterialLaws. */
+    enum class Place : std::size_t
+    {
+    };
+
+    template <class Constants, std::size_t i = 0>
+    static constexpr Place
+    place()
+    {
+      if constexpr (std::is_same_v<Constants,
+                                   std::tuple_element_t<i, MaterialLaws>>)
+        return Place(i);
+      else
+        return place<Constants, i + 1>();
+    }
+
+    MaterialLaws laws;
+    Place        chosen{0};
+  };
 } // namespace asperity
 
 #endif

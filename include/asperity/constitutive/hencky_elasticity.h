@@ -1,0 +1,56 @@
+#ifndef asperity_constitutive_hencky_elasticity_h
+#define asperity_constitutive_hencky_elasticity_h
+
+#include <asperity/constitutive/flow_stress.h>
+#include <asperity/constitutive/heating_parameters.h>
+#include <asperity/constitutive/material_law.h>
+
+#include <limits>
+#include <memory>
+
+namespace asperity
+{
+  /** The flow stress of a body that stays elastic. */
+  class NeverYields : public FlowStress<NeverYields>
+  {
+  public:
+    /** See FlowStress. */
+    double
+    static_value(const double, const double) const
+    {
+      return std::numeric_limits<double>::infinity();
+    }
+
+    /** See FlowStress. */
+    FlowStressValue
+    evaluate(const double, const double, const double) const
+    {
+      return {std::numeric_limits<double>::infinity(), 0., 0., 0.};
+    }
+  };
+
+  /** Hencky's elasticity, tau = K tr(eps) 1 + 2 mu dev(eps) with the
+   * logarithmic strain eps = 1/2 ln(F F^T); it needs no further constants. */
+  struct HenckyParameters
+  {
+    static constexpr const char *name = "Hencky";
+
+    /** Declares nothing. */
+    void
+    declare(ParameterDeclarator &)
+    {}
+
+    /** Nothing to check. */
+    void
+    check(const ParameterDeclarator &) const
+    {}
+
+    /** FiniteStrainJ2 that never yields.
+     *  @throws InputError if a constant has no physical meaning */
+    std::unique_ptr<MaterialLaw>
+    make_law(const ElasticParameters &elasticity,
+             const HeatingParameters &heating) const;
+  };
+} // namespace asperity
+
+#endif

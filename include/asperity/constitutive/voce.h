@@ -1,0 +1,69 @@
+#ifndef asperity_constitutive_voce_h
+#define asperity_constitutive_voce_h
+
+#include <asperity/constitutive/flow_stress.h>
+#include <asperity/constitutive/heating_parameters.h>
+#include <asperity/constitutive/material_law.h>
+
+#include <memory>
+
+namespace asperity
+{
+  /** The constants of Voce's flow stress; the defaults of sigma_inf, delta and
+   *  H make it perfectly plastic. */
+  struct VoceParameters
+  {
+    static constexpr const char *name = "Voce";
+
+    double yield_stress      = 300e6; ///< sigma_0 [Pa]
+    double saturation_stress = 300e6; ///< sigma_inf [Pa]
+    double saturation_rate   = 0.;    ///< delta
+    double linear_hardening  = 0.;    ///< H [Pa]
+
+    /** Declares the subsection "Voce". */
+    void
+    declare(ParameterDeclarator &parameters);
+
+    /** Nothing to check: the entries are free of each other. */
+    void
+    check(const ParameterDeclarator &) const
+    {}
+
+    /** FiniteStrainJ2 with this flow stress.
+     *  @throws InputError if a constant has no physical meaning */
+    std::unique_ptr<MaterialLaw>
+    make_law(const ElasticParameters &elasticity,
+             const HeatingParameters &heating) const;
+  };
+
+  /**
+   * Isotropic hardening that saturates (E. Voce, J. Inst. Met. 74 (1948) 537)
+   * and a linear part, without rate or temperature:
+   *   sigma = sigma_0 + (sigma_inf - sigma_0) (1 - exp(-delta eps)) + H eps
+   * (J. C. Simo and F. Armero, Int. J. Numer. Methods Eng. 33 (1992) 1413).
+   */
+  class Voce : public FlowStress<Voce>
+  {
+  public:
+    /**
+     * @throws InputError unless the stresses are positive and delta and H
+     *   are not negative
+     */
+    explicit Voce(const VoceParameters &parameters);
+
+    /** See FlowStress. */
+    double
+    static_value(const double plastic_strain, const double temperature) const;
+
+    /** See FlowStress. */
+    FlowStressValue
+    evaluate(const double plastic_strain,
+             const double rate,
+             const double temperature) const;
+
+  private:
+    VoceParameters parameters;
+  };
+} // namespace asperity
+
+#endif

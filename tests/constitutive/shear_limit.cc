@@ -1,0 +1,56 @@
+#include <gtest/gtest.h>
+
+#include "law_tools.h"
+
+using namespace asperity;
+using namespace asperity::law_tools;
+
+TEST(ShearLimit, OfJohnsonCookIsItsFlowStressOverTheRootOfThree)
+{
+  JohnsonCookParameters p;
+  p.A                      = 300e6;
+  p.B                      = 400e6;
+  p.n                      = 0.5;
+  p.C                      = 0.02;
+  p.reference_rate         = 1.;
+  p.m                      = 2.;
+  p.transition_temperature = 300.;
+  p.melting_temperature    = 1300.;
+  MaterialParameters material;
+  material.choose(p);
+  // (300 + 400 sqrt(0.25)) MPa (1 + 0.02 ln(e^5)) (1 - 0.5^2)
+  EXPECT_NEAR(material.make_law()->shear_limit(0.25, std::exp(5.), 800.),
+              500e6 * 1.1 * 0.75 / std::sqrt(3.),
+              1e-6);
+}
+
+
+
+TEST(ShearLimit, OfVoceDependsOnStrainAlone)
+{
+  MaterialParameters material;
+  material.choose(VoceParameters{450e6, 715e6, 16.93, 129e6});
+  const auto law = material.make_law();
+  EXPECT_NEAR(law->shear_limit(0., 1., 300.), 450e6 / std::sqrt(3.), 1e-6);
+  EXPECT_NEAR(law->shear_limit(10., 1., 300.), 2005e6 / std::sqrt(3.), 1e-6);
+  EXPECT_EQ(law->shear_limit(0.3, 1e6, 900.), law->shear_limit(0.3, 1., 300.));
+}
+
+
+
+TEST(ShearLimit, IsReachedInFlowAndInfiniteForElasticLaws)
+{
+  // so slow that no law feels the rate
+  Tensor<2, 3> F = identity;
+  F[0][1]        = 0.1;
+  for (const auto &law : all_laws())
+    {
+      const MaterialResponse r = evaluate(*law, F, {}, 1e9);
+      const double           k =
+        law->shear_limit(r.state.plastic_strain, 0., r.state.temperature);
+      if (r.plastic)
+        EXPECT_NEAR(r.mises / std::sqrt(3.), k, 1e-9 * k) << law->name();
+      else
+        EXPECT_EQ(k, std::numeric_limits<double>::infinity()) << law->name();
+    }
+}
