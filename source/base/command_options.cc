@@ -20,22 +20,46 @@ namespace asperity
   CommandOptions::CommandOptions(const std::vector<std::string> &arguments,
                                  const std::vector<std::string> &known)
   {
+    parse(arguments, &known);
+  }
+
+
+
+  CommandOptions::CommandOptions(const std::vector<std::string> &arguments)
+  {
+    parse(arguments, nullptr);
+  }
+
+
+
+  void
+  CommandOptions::parse(const std::vector<std::string> &arguments,
+                        const std::vector<std::string> *known)
+  {
     const std::string command = "'asperity " + arguments[0] + "'";
     for (std::size_t i = 1; i < arguments.size(); ++i)
       {
-        const std::string &word = arguments[i];
+        std::string       word   = arguments[i];
+        const std::size_t equals = word.find('=');
         if (!is_option(word))
           {
-            words.push_back(word);
+            const bool is_setting =
+              known == nullptr && !words.empty() && equals != std::string::npos;
+            (is_setting ? settings : words).push_back(word);
             continue;
           }
-        if (std::find(known.begin(), known.end(), word) == known.end())
+        const bool  has_value = equals != std::string::npos;
+        std::string value     = has_value ? word.substr(equals + 1) : "";
+        word.resize(std::min(word.size(), equals));
+        if (known != nullptr &&
+            std::find(known->begin(), known->end(), word) == known->end())
           throw InputError(command + " has no option '" + word +
-                           "'; its options are " + join(known, ", ") + ".");
-        if (i + 1 == arguments.size())
+                           "'; its options are " + join(*known, ", ") + ".");
+        if (!has_value && ++i == arguments.size())
           throw InputError("The option '" + word + "' of " + command +
                            " needs a value behind it.");
-        const std::string &value = arguments[++i];
+        if (!has_value)
+          value = arguments[i];
         if (word == "--set")
           settings.push_back(value);
         else if (!values.emplace(word, value).second)

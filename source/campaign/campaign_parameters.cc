@@ -1,5 +1,10 @@
 #include <asperity/base/errors.h>
+#include <asperity/base/text.h>
 #include <asperity/campaign/campaign_parameters.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
 
 namespace asperity
 {
@@ -31,6 +36,22 @@ namespace asperity
                        {"logarithmic", Scale::logarithmic}},
                       "On which scale points are spread evenly and the law is "
                       "smooth; `logarithmic` for a range over decades.");
+    parameters.text(
+      "Export at",
+      export_at,
+      "Value of this input, with a unit, in exported tables, which "
+      "are over pressure, velocity and temperature alone; C, "
+      "Fortran and Python also take it as an argument. Empty: the "
+      "base scene's value if it lies in the range, else the middle "
+      "of the range.");
+  }
+
+
+
+  std::string
+  InputParameters::path() const
+  {
+    return join(split(entry, '/'), "/");
   }
 
 
@@ -51,8 +72,9 @@ namespace asperity
       "spread values.");
     parameters.integer("Initial runs",
                        initial_runs,
-                       Range::between(4, 100000),
-                       "Points of the first design; a grid has its own.");
+                       Range::between(3, FrictionLaw::largest_number_of_runs),
+                       "Points of the first design, at least two more than "
+                       "inputs; a grid has its own.");
     parameters.list("Grid points",
                     grid_points,
                     "1",
@@ -66,7 +88,7 @@ namespace asperity
                        "law is least certain; 0 ends with the first design.");
     parameters.integer("Maximum runs",
                        maximum_runs,
-                       Range::between(4, 100000),
+                       Range::between(3, FrictionLaw::largest_number_of_runs),
                        "Active learning ends with this number of training "
                        "points.");
     parameters.number("Target error",
@@ -146,7 +168,7 @@ namespace asperity
                     "into the folder `export`.");
     parameters.number("Table tolerance",
                       table_tolerance,
-                      Range::between(1e-6, 1.),
+                      Range{1e-6, 1., true, false},
                       "Largest relative error of linear interpolation in the "
                       "tables; their grids are refined until they keep it.");
   }
@@ -187,43 +209,109 @@ namespace asperity
 
 
   void
+  CampaignParameters::check_input(const ParameterDeclarator &parameters,
+                                  const std::size_t          number) const
+  {
+    const std::string      path  = "Campaign/" + section(number + 1) + "/";
+    const InputParameters &input = inputs[number];
+    for (const auto &[key, text] :
+         {std::make_pair("From", input.from), {"To", input.to}})
+      if (text.empty())
+        throw InputError(parameters.where(path + key) +
+                         ": found nothing for the input " + input.path() +
+                         "; expected an end of its range with a unit, such "
+                         "as 300 MPa.");
+    for (std::size_t j = 0; j < number; ++j)
+      if (inputs[j].path() == input.path())
+        throw InputError(parameters.where(path + "Entry") + ": " +
+                         input.path() + " is already " + section(j + 1) +
+                         "; expected each entry once.");
+  }
+
+
+
+  void
+  CampaignParameters::check_profiles(
+    const ParameterDeclarator &parameters) const
+  {
+    std::set<std::string> seen;
+    for (const std::string &position : split(profile_positions, ','))
+      if (position.empty() || !seen.insert(position).second)
+        throw InputError(parameters.where("Campaign/Profile positions") +
+                         ": found " +
+                         (position.empty() ? "nothing between two commas" :
+                                             "'" + position + "' twice") +
+                         "; expected positions that differ.");
+  }
+
+
+
+  double
+  DesignParameters::n_first_runs() const
+  {
+    if (kind != DesignKind::grid)
+      return initial_runs;
+    double n = 1.;
+    for (const double n_values : grid_points)
+      n *= n_values;
+    return n;
+  }
+
+
+
+  void
+  DesignParameters::check(const ParameterDeclarator &parameters,
+                          const std::size_t          n_inputs) const
+  {
+    const std::string grid = parameters.where("Campaign/Design/Grid points");
+    if (kind == DesignKind::grid && grid_points.size() != n_inputs)
+      throw InputError(grid + ": found " + std::to_string(grid_points.size()) +
+                       " numbers; expected one for each of the " +
+                       std::to_string(n_inputs) + " inputs.");
+    for (const double n : grid_points)
+      if (n != std::round(n))
+        throw InputError(grid + ": found " + format_number(n) +
+                         "; expected whole numbers.");
+
+    const double      n    = n_first_runs();
+    const std::size_t need = n_inputs + 2;
+    const std::string where =
+      kind == DesignKind::grid ?
+        grid :
+        parameters.where("Campaign/Design/Initial runs");
+    if (n < need || n > FrictionLaw::largest_number_of_runs)
+      throw InputError(
+        where + ": found " + format_number(n) + " runs; expected at least " +
+        std::to_string(need) + " for a law of " + std::to_string(n_inputs) +
+        (n_inputs == 1 ? " input" : " inputs") + " and at most " +
+        std::to_string(FrictionLaw::largest_number_of_runs) + ".");
+    if (batch > 0 && maximum_runs < n)
+      throw InputError(parameters.where("Campaign/Design/Maximum runs") +
+                       ": found " + std::to_string(maximum_runs) +
+                       "; expected at least the " + format_number(n) +
+                       " initial runs.");
+  }
+
+
+
+  void
   CampaignParameters::check(const ParameterDeclarator &parameters) const
   {
+    if (trim(directory).empty())
+      throw InputError(parameters.where("Campaign/Output directory") +
+                       ": found nothing; expected a folder for the campaign.");
     std::size_t n_inputs = 0;
-    for (unsigned int i = 0; i < inputs.size(); ++i)
-      {
-        const std::string path  = "Campaign/" + section(i + 1) + "/";
-        const auto       &input = inputs[i];
-        if (input.entry.empty())
-          continue;
-        ++n_inputs;
-        for (const auto &[key, text] :
-             {std::make_pair("From", input.from), {"To", input.to}})
-          if (text.empty())
-            throw InputError(parameters.where(path + key) +
-                             ": found nothing for the input " + input.entry +
-                             "; expected an end of its range with a unit, such "
-                             "as 300 MPa.");
-        for (unsigned int j = 0; j < i; ++j)
-          if (inputs[j].entry == input.entry)
-            throw InputError(parameters.where(path + "Entry") + ": " +
-                             input.entry + " is already " + section(j + 1) +
-                             "; expected each entry once.");
-      }
+    for (std::size_t i = 0; i < inputs.size(); ++i)
+      if (!inputs[i].entry.empty())
+        {
+          ++n_inputs;
+          check_input(parameters, i);
+        }
     if (n_inputs == 0)
       throw InputError(parameters.where("Campaign/Input 1/Entry") +
                        ": found no input; expected at least one entry of the "
                        "base scene, such as Load/Pressure.");
-    if (design.kind == DesignKind::grid &&
-        design.grid_points.size() != n_inputs)
-      throw InputError(parameters.where("Campaign/Design/Grid points") +
-                       ": found " + std::to_string(design.grid_points.size()) +
-                       " numbers; expected one for each of the " +
-                       std::to_string(n_inputs) + " inputs.");
-    if (design.batch > 0 && design.maximum_runs < design.initial_runs)
-      throw InputError(parameters.where("Campaign/Design/Maximum runs") +
-                       ": found " + std::to_string(design.maximum_runs) +
-                       "; expected at least the " +
-                       std::to_string(design.initial_runs) + " initial runs.");
+    check_profiles(parameters);
+    design.check(parameters, n_inputs);
   }
 } // namespace asperity

@@ -1,135 +1,27 @@
 #include <asperity/base/errors.h>
 #include <asperity/base/text.h>
 #include <asperity/campaign/campaign_plan.h>
+#include <asperity/law_export/contact_point_law.h>
 
 #include <algorithm>
-#include <cstdlib>
+#include <cmath>
 #include <filesystem>
-#include <sstream>
+
+#include "campaign_inputs.h"
 
 namespace asperity
 {
-  namespace
-  {
-    const char *const profile_entry = "Tool/Topography/Profile position";
-
-    /** The unit behind a number, "1" if there is none. */
-    std::string
-    unit_of(const std::string &text)
-    {
-      char *end = nullptr;
-      std::strtod(text.c_str(), &end);
-      const std::string unit = trim(end);
-      return unit.empty() ? "1" : unit;
-    }
-
-    std::string
-    symbol_of(const std::string &entry)
-    {
-      if (entry == "Load/Pressure")
-        return "p";
-      if (entry == "Load/Velocity")
-        return "v";
-      if (entry == "Load/Temperature")
-        return "T";
-      std::string symbol = entry.substr(entry.rfind('/') + 1);
-      symbol.erase(std::remove(symbol.begin(), symbol.end(), ' '),
-                   symbol.end());
-      return symbol;
-    }
-
-    double
-    end_of_range(const std::string &text,
-                 const Dimension    dimension,
-                 const std::string &where)
-    {
-      try
-        {
-          return parse_quantity(text, dimension);
-        }
-      catch (const InputError &error)
-        {
-          throw InputError(where + ": " + error.what() + ".");
-        }
-    }
-
-    /** That of a number with a unit. */
-    Dimension
-    dimension_of_quantity(const std::string &text, const std::string &where)
-    {
-      try
-        {
-          return dimension_of(unit_of(text));
-        }
-      catch (const InputError &error)
-        {
-          throw InputError(where + ": " + error.what() + ".");
-        }
-    }
-
-    LawInput
-    resolve(const InputParameters     &parameters,
-            const ParameterDeclarator &declarator,
-            const std::string         &section)
-    {
-      LawInput input;
-      input.name                = parameters.entry;
-      input.symbol              = symbol_of(parameters.entry);
-      input.unit                = unit_of(parameters.from);
-      input.scale               = parameters.scale;
-      const std::string from    = declarator.where(section + "/From");
-      const Dimension dimension = dimension_of_quantity(parameters.from, from);
-      input.lower = end_of_range(parameters.from, dimension, from);
-      input.upper = end_of_range(parameters.to,
-                                 dimension,
-                                 declarator.where(section + "/To"));
-      if (!(input.lower < input.upper))
-        throw InputError(declarator.where(section + "/To") + ": found " +
-                         parameters.to + "; expected more than " +
-                         parameters.from + ".");
-      if (input.scale == Scale::logarithmic && input.lower <= 0.)
-        throw InputError(declarator.where(section + "/Scale") +
-                         ": found logarithmic with a range from " +
-                         parameters.from + "; expected a range above 0.");
-      return input;
-    }
-  } // namespace
-
-
+  using json = nlohmann::ordered_json;
 
   CampaignPlan::CampaignPlan(const CampaignParameters  &parameters,
                              const ParameterDeclarator &declarator)
     : profiles(split(parameters.profile_positions, ','))
   {
-    EntryValues lower, upper;
-    for (unsigned int i = 0; i < parameters.inputs.size(); ++i)
-      {
-        const InputParameters &input = parameters.inputs[i];
-        if (input.entry.empty())
-          continue;
-        inputs_.push_back(resolve(input,
-                                  declarator,
-                                  "Campaign/Input " + std::to_string(i + 1)));
-        lower.emplace_back(input.entry, input.from);
-        upper.emplace_back(input.entry, input.to);
-      }
-    // The scene itself judges both ends of the ranges and the profiles.
-    try
-      {
-        SceneInput(parameters.base_scene, upper);
-        SceneInput         input(parameters.base_scene, lower);
-        std::ostringstream text;
-        input.declarator.write_prm(text);
-        base_scene_text_ = text.str();
-        base_scene       = input.record;
-        for (const std::string &position : profiles)
-          input.declarator.set(profile_entry, position);
-      }
-    catch (const InputError &error)
-      {
-        throw InputError(declarator.where("Campaign/Base scene") + ": " +
-                         error.what());
-      }
+    const CampaignInputs found(parameters, declarator);
+    inputs_          = found.inputs;
+    is_whole_number  = found.is_whole_number;
+    base_scene_text_ = found.base_scene_text;
+    base_scene       = found.base_scene;
   }
 
 
@@ -176,9 +68,19 @@ namespace asperity
       text += ", each on " + std::to_string(n_profiles()) + " profiles";
     text += "\n";
     for (const LawInput &input : inputs_)
-      text += "  " + input.symbol + ": " + input.name + ", " +
-              format_quantity(input.lower, input.unit) + " to " +
-              format_quantity(input.upper, input.unit) + "\n";
+      {
+        text += "  " + input.symbol + ": " + input.name + ", " +
+                format_quantity(input.lower, input.unit) + " to " +
+                format_quantity(input.upper, input.unit);
+        const auto &symbols = ContactPointLaw::symbols();
+        if (parameters.exports.write &&
+            std::find(symbols.begin(), symbols.end(), input.symbol) ==
+              symbols.end())
+          text += "; an argument of exported C and Fortran, " +
+                  format_quantity(*input.reference, input.unit, 6) +
+                  " in exported tables (Export at)";
+        text += "\n";
+      }
     return text;
   }
 
@@ -217,8 +119,12 @@ namespace asperity
   CampaignPlan::as_written(std::vector<double> x) const
   {
     for (std::size_t i = 0; i < x.size(); ++i)
-      x[i] = parse_quantity(format_quantity(x[i], inputs_[i].unit),
-                            dimension_of(inputs_[i].unit));
+      {
+        if (is_whole_number[i])
+          x[i] = std::round(x[i]);
+        x[i] = parse_quantity(format_quantity(x[i], inputs_[i].unit),
+                              dimension_of(inputs_[i].unit));
+      }
     return x;
   }
 

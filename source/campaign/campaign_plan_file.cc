@@ -116,11 +116,12 @@ namespace asperity
           add(point.at("role") == "test",
               point.at("x").get<std::vector<double>>());
       }
-    catch (const json::exception &error)
+    catch (const json::exception &)
       {
-        throw InputError("The file " + path +
-                         " is not the plan of a campaign: " + error.what() +
-                         ".");
+        throw InputError(
+          "The file " + path +
+          " is not the plan of a campaign as Asperity writes it; "
+          "take another output directory.");
       }
   }
 } // namespace asperity

@@ -1,6 +1,9 @@
 #include <asperity/base/atomic_file.h>
+#include <asperity/base/errors.h>
+#include <asperity/base/mechanisms.h>
 #include <asperity/base/version.h>
 #include <asperity/campaign/campaign_report.h>
+#include <asperity/law_export/commands.h>
 #include <asperity/law_export/export_law.h>
 #include <asperity/postprocess/summary.h>
 #include <asperity/surrogate/power_law.h>
@@ -17,6 +20,20 @@ namespace asperity
 
   namespace
   {
+    /** As a shell takes it for one word. */
+    std::string
+    quoted(const std::string &path)
+    {
+      const bool is_plain =
+        path.find_first_not_of("abcdefghijklmnopqrstuvwxyz"
+                               "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789/._-+") ==
+        std::string::npos;
+      std::string text;
+      for (const char c : path)
+        text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+      return is_plain ? path : "'" + text + "'";
+    }
+
     std::string
     percent(const double fraction)
     {
@@ -53,24 +70,35 @@ namespace asperity
       });
     }
 
-    /** The laws of practice, fitted to the same runs. */
+    /** The laws of practice, fitted to the same runs, as far as these determine
+     *  them. */
     json
     compare_power_laws(const FrictionLaw &law, std::ostream &out)
     {
       json       result = json::object();
-      const auto tell   = [&](const std::string &name, const PowerLaw &power) {
-        const std::string text = to_string(power, law.description().inputs);
-        result[name]           = {{"law", text},
-                                  {"mean_relative_error", power.mean_relative_error},
-                                  {"leave_one_out_error", power.leave_one_out_error}};
-        out << "  " << text << ": " << percent(power.leave_one_out_error)
-            << "\n";
+      const auto tell   = [&](const std::string &name,
+                            PowerLaw (*fit)(const FrictionLaw &)) {
+        try
+          {
+            const PowerLaw    power = fit(law);
+            const std::string text = to_string(power, law.description().inputs);
+            result[name]           = {{"law", text},
+                                      {"mean_relative_error", power.mean_relative_error},
+                                      {"leave_one_out_error", power.leave_one_out_error}};
+            out << "  " << text << ": " << percent(power.leave_one_out_error)
+                << "\n";
+          }
+        catch (const InputError &error)
+          {
+            result[name] = {{"missing", error.what()}};
+            out << "  no " << name << ": " << error.what() << "\n";
+          }
       };
       out << "Laws of practice, fitted to the same runs, and their error:\n";
-      tell("power law", fit_power_law(law));
+      tell("power law", fit_power_law);
       for (const LawInput &input : law.description().inputs)
         if (input.symbol == "v")
-          tell("velocity law", fit_velocity_law(law));
+          tell("velocity law", fit_velocity_law);
       return result;
     }
 
@@ -153,6 +181,7 @@ namespace asperity
       const FrictionLawDescription &description = law.description();
       out << "Friction law of " << law.process().data().y.size()
           << " runs: " << parameters.directory << "/friction_law.json\n"
+          << "  " << mechanisms_sentence(description.mechanisms) << "\n"
           << "  mean error of cross-validation (leave one out) "
           << percent(description.leave_one_out_error) << "\n";
       if (test.n_runs > 0)
@@ -193,7 +222,7 @@ namespace asperity
       table.count(SampleRole::test, SampleStatus::failed);
     out << "\n"
         << table.samples().size() - n_failed << " runs, " << n_failed
-        << " failed, " << format_duration(results.seconds())
+        << " failed or without a result, " << format_duration(results.seconds())
         << " of one core in all; this session " << format_duration(wall_time)
         << "\n";
     print_law(parameters, law, results.scatter(), test, out);
@@ -204,7 +233,9 @@ namespace asperity
     summary["runs"]       = {
             {"training", table.count(SampleRole::training, SampleStatus::done)},
             {"test", table.count(SampleRole::test, SampleStatus::done)},
-            {"failed", n_failed}};
+            {"failed", n_failed},
+            {"without_result", results.n_without_result()}};
+    summary["mechanisms"]  = law.description().mechanisms;
     summary["law"]         = describe_law(law, results.scatter());
     summary["test"]        = to_json(test);
     summary["power_laws"]  = compare_power_laws(law, out);
@@ -222,8 +253,9 @@ namespace asperity
     write_summary(directory + "/summary.json", summary);
     for (const std::string &warning : warnings)
       out << "Warning: " << warning << "\n";
-    out << "Ask it: asperity predict " << directory
-        << "/friction_law.json -p 450MPa -v 90m/min -T 300degC\n"
+    out << "Ask it: asperity predict "
+        << quoted(directory + "/friction_law.json")
+        << example_arguments(law.description()) << "\n"
         << "Pictures: tools/plot_law.py " << directory << "\n";
   }
 } // namespace asperity

@@ -4,68 +4,14 @@
 #include <asperity/campaign/campaign_results.h>
 
 #include <algorithm>
-#include <cmath>
+
+#include "run_outputs.h"
+#include "shear_limit.h"
 
 namespace asperity
 {
   namespace
   {
-    /** What is tabulated of a run; the law's output must stand first. */
-    struct OutputColumn
-    {
-      SampleOutput output;
-      double RunRecord::*value;
-    };
-
-    std::vector<OutputColumn>
-    output_columns(const LawOutput first)
-    {
-      std::vector<OutputColumn> columns = {
-        {{"mu", "-"}, &RunRecord::mu},
-        {{"mu_end", "-"}, &RunRecord::mu_end},
-        {{"spread", "-"}, &RunRecord::spread},
-        {{"contact_fraction", "-"}, &RunRecord::contact_fraction},
-        {{"oil_pressure", "Pa"}, &RunRecord::oil_pressure},
-        {{"oil_load_share", "-"}, &RunRecord::oil_load_share},
-        {{"sliding_distance", "m"}, &RunRecord::sliding_distance},
-        {{"max_plastic_strain", "-"}, &RunRecord::max_plastic_strain},
-        {{"max_temperature", "K"}, &RunRecord::max_temperature}};
-      if (first == LawOutput::mu_end)
-        std::swap(columns[0], columns[1]);
-      return columns;
-    }
-
-    std::vector<SampleOutput>
-    outputs(const LawOutput first)
-    {
-      std::vector<SampleOutput> result;
-      for (const OutputColumn &column : output_columns(first))
-        result.push_back(column.output);
-      return result;
-    }
-
-    /** Of the base scene's chip; unknown unless it is Johnson-Cook. */
-    ShearLimit
-    shear_limit_of(const CampaignParameters &parameters)
-    {
-      const SceneInput          scene(parameters.base_scene);
-      const MaterialParameters &material = scene.parameters.material;
-      ShearLimit                limit;
-      const auto                law = material.make_law();
-      if (law->name() != JohnsonCookParameters::name)
-        return limit;
-      const auto &constants = material.constants<JohnsonCookParameters>();
-      limit.strain          = parameters.law.shear_strain;
-      limit.rate            = parameters.law.shear_rate;
-      limit.k_0             = law->shear_limit(limit.strain,
-                                   limit.rate,
-                                   constants.transition_temperature);
-      limit.exponent        = constants.m;
-      limit.transition_temperature = constants.transition_temperature;
-      limit.melting_temperature    = constants.melting_temperature;
-      return limit;
-    }
-
     SampleData
     read_tests(const std::string &path, const SampleTable &own)
     {
@@ -92,7 +38,9 @@ namespace asperity
     : parameters(parameters)
     , plan(plan)
     , table_(plan.inputs(), outputs(parameters.law.output))
-    , shear_limit(shear_limit_of(parameters))
+    , shear_limit(
+        shear_limit_of(SceneInput(parameters.base_scene).parameters.material,
+                       parameters.law))
     , scatter_(plan.n_profiles())
   {
     const std::string &path = parameters.design.test_table;
@@ -124,7 +72,8 @@ namespace asperity
     std::vector<RunRecord>             done;
     std::vector<std::optional<double>> values(records.size());
     for (std::size_t k = 0; k < records.size(); ++k)
-      if (records[k].done)
+      if (const std::string why = why_not_learnt(records[k], parameters.law);
+          why.empty())
         {
           values[k] = records[k].*columns[0].value;
           done.push_back(records[k]);
@@ -133,7 +82,7 @@ namespace asperity
         sample.reason =
           (records.size() > 1 ? "Profile " + std::to_string(k + 1) + ": " :
                                 "") +
-          records[k].reason;
+          why;
 
     const auto mean = scatter_.mean(values);
     if (!mean)
@@ -162,7 +111,9 @@ namespace asperity
     scatter_ = ProfileScatter(plan.n_profiles());
     seconds_ = 0.;
     n_points_with_gaps_ = 0;
+    n_without_result_   = 0;
     warnings_.clear();
+    mechanisms_.clear();
     const auto value = output_columns(parameters.law.output)[0].value;
 
     std::vector<std::pair<PlannedPoint, std::vector<RunRecord>>> finished;
@@ -177,7 +128,7 @@ namespace asperity
               {
                 note(*record);
                 records.push_back(*record);
-                if (record->done)
+                if (why_not_learnt(*record, parameters.law).empty())
                   values.push_back((*record).*value);
               }
           }
@@ -202,6 +153,15 @@ namespace asperity
   CampaignResults::note(const RunRecord &record)
   {
     seconds_ += record.seconds;
+    if (record.done && !why_not_learnt(record, parameters.law).empty())
+      {
+        ++n_without_result_;
+        return; // its warnings say why, each with other numbers
+      }
+    for (const std::string &mechanism : record.mechanisms)
+      if (std::find(mechanisms_.begin(), mechanisms_.end(), mechanism) ==
+          mechanisms_.end())
+        mechanisms_.push_back(mechanism);
     for (const std::string &warning : record.warnings)
       {
         const auto known = std::find_if(warnings_.begin(),
@@ -300,9 +260,13 @@ namespace asperity
     if (data.y.size() < plan.inputs().size() + 2)
       throw ComputationError(
         "Only " + std::to_string(data.y.size()) +
-        " runs of the campaign have succeeded, too few for a law; the reasons "
-        "stand in " +
-        parameters.directory + "/runs.csv.");
+        " runs of the campaign gave a friction coefficient, too few for a law "
+        "of " +
+        std::to_string(plan.inputs().size()) +
+        (plan.inputs().size() == 1 ? " input" : " inputs") + ", which needs " +
+        std::to_string(plan.inputs().size() + 2) +
+        "; what the others lack stands in " + parameters.directory +
+        "/runs.csv.");
     FrictionLawDescription description;
     description.inputs       = plan.inputs();
     description.output       = table_.outputs()[0].name;
@@ -313,6 +277,7 @@ namespace asperity
     description.n_profiles         = plan.n_profiles();
     description.topography_scatter = scatter_.total();
     description.shear_limit        = shear_limit;
+    description.mechanisms         = mechanisms_;
 
     nlohmann::ordered_json &provenance = description.provenance;
     provenance["program"]              = version_json();
@@ -351,6 +316,14 @@ namespace asperity
 
 
 
+  unsigned int
+  CampaignResults::n_without_result() const
+  {
+    return n_without_result_;
+  }
+
+
+
   const ProfileScatter &
   CampaignResults::scatter() const
   {
@@ -363,6 +336,12 @@ namespace asperity
   CampaignResults::warnings() const
   {
     std::vector<std::string> result;
+    if (n_without_result_ > 0)
+      result.push_back(
+        "Runs that gave no friction coefficient and are not learnt from: " +
+        std::to_string(n_without_result_) +
+        "; runs.csv says why, and where they are close together the law has "
+        "nothing to rest on.");
     for (const auto &[warning, n] : warnings_)
       result.push_back(std::to_string(n) + " runs: " + warning);
     if (n_points_with_gaps_ > 0)

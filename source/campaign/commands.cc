@@ -61,6 +61,7 @@ namespace asperity
     const CampaignParameters &parameters = input.parameters;
     CampaignPlan              plan(parameters, input.declarator);
     plan.start(parameters, parameters.directory + "/plan.json");
+    const CampaignResults results(parameters, plan); // judges the test table
     if (!is_first_rank())
       return 0;
     std::cout << plan.description(parameters);

@@ -34,7 +34,9 @@ namespace asperity
     record_of(const SceneResult &result)
     {
       RunRecord record;
-      record.done               = true;
+      record.done = true;
+      if (result.status != FrictionStatus::valid)
+        record.no_result = asperity::name(result.status);
       record.mu                 = result.friction.mu;
       record.mu_end             = result.friction.mu_end;
       record.spread             = result.friction.spread;
@@ -46,6 +48,7 @@ namespace asperity
       record.max_temperature    = result.last.max_temperature;
       record.over_distance      = result.over_distance;
       record.lubricant          = result.lubricant;
+      record.mechanisms         = result.mechanisms;
       record.warnings           = result.warnings;
       record.steps              = result.steps;
       record.newton_iterations  = result.newton_iterations;
@@ -133,6 +136,10 @@ namespace asperity
           record.reason = document.at("reason");
           return record;
         }
+      // records of older programs have no word of it
+      record.no_result = document.value("no_result", "");
+      record.mechanisms =
+        document.value("mechanisms", std::vector<std::string>());
       for_each_number(record, [&](const char *name, double &value) {
         value = document.at("results").at(name);
       });
@@ -168,7 +175,10 @@ namespace asperity
         for (const DistanceMean &mean : record.over_distance)
           document["over_distance"].push_back(
             {{"from", mean.from}, {"to", mean.to}, {"mu", mean.mu}});
+        if (!record.no_result.empty())
+          document["no_result"] = record.no_result;
         document["lubricant"]         = record.lubricant;
+        document["mechanisms"]        = record.mechanisms;
         document["warnings"]          = record.warnings;
         document["steps"]             = record.steps;
         document["newton_iterations"] = record.newton_iterations;
@@ -196,10 +206,11 @@ namespace asperity
             values_of(order).dump() + "; take another output directory.");
         return parse(document);
       }
-    catch (const json::exception &error)
+    catch (const json::exception &)
       {
         throw InputError("The file " + path +
-                         " is not a record of a run: " + error.what() + ".");
+                         " is not the record of a run as Asperity writes it; "
+                         "remove it, so that the run is computed again.");
       }
   }
 } // namespace asperity

@@ -27,7 +27,7 @@ namespace asperity
     double
     wave_speed(const MaterialParameters &material)
     {
-      const auto   law = make_material_law(material);
+      const auto   law = material.make_law();
       const double E = law->young_modulus(), nu = law->poisson_ratio();
       return std::sqrt(E * (1. - nu) / ((1. + nu) * (1. - 2. * nu)) /
                        law->density());

@@ -1,3 +1,4 @@
+#include <asperity/contact_zone/mechanisms.h>
 #include <asperity/contact_zone/scene_computation.h>
 #include <asperity/contact_zone/scene_input.h>
 
@@ -106,6 +107,7 @@ namespace asperity
     result.over_distance = means_over_distance(run.state().rows, 0.1e-6);
     result.last          = run.state().rows.back();
     result.lubricant     = name(parameters.lubrication.model);
+    result.mechanisms    = mechanisms_of(parameters);
     result.is_steady =
       parameters.protocol.window == FrictionWindow::time || run.is_steady();
     result.steps             = run.state().step;

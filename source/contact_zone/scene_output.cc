@@ -1,4 +1,5 @@
 #include <asperity/base/version.h>
+#include <asperity/contact_zone/mechanisms.h>
 #include <asperity/contact_zone/scene_checkpoint.h>
 #include <asperity/contact_zone/scene_output.h>
 #include <asperity/postprocess/polyline.h>
@@ -299,14 +300,15 @@ namespace asperity
       {"inertia", run.dynamics() == nullptr ? "quasi-static" : "dynamic"},
       {"heat", parameters.material.heats_itself() ? "adiabatic" : "isothermal"},
       {"material", scene.law->name()}};
-    summary["mesh"]     = {{"degree", scene.space->degree()},
-                           {"cells", scene.space->n_cells()},
-                           {"unknowns", scene.n_unknowns()},
-                           {"contact_element", scene.contact_element_length()},
-                           {"penalty", scene.penalty()}};
-    summary["surfaces"] = {{"period", scene.length},
-                           {"tool", scene.tool_surface.description},
-                           {"chip", scene.chip_surface.description}};
+    summary["mechanisms"] = mechanisms_of(parameters);
+    summary["mesh"]       = {{"degree", scene.space->degree()},
+                             {"cells", scene.space->n_cells()},
+                             {"unknowns", scene.n_unknowns()},
+                             {"contact_element", scene.contact_element_length()},
+                             {"penalty", scene.penalty()}};
+    summary["surfaces"]   = {{"period", scene.length},
+                             {"tool", scene.tool_surface.description},
+                             {"chip", scene.chip_surface.description}};
     json numbers;
     for (const AuditEntry &entry : audit.entries)
       numbers[entry.name] = number_or_null(entry.value);

@@ -1,12 +1,14 @@
 #include <asperity/base/command_options.h>
 #include <asperity/base/environment.h>
 #include <asperity/base/errors.h>
+#include <asperity/base/mechanisms.h>
 #include <asperity/base/quantity.h>
 #include <asperity/base/text.h>
 #include <asperity/law_export/commands.h>
 #include <asperity/law_export/export_law.h>
 #include <asperity/surrogate/power_law.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <limits>
@@ -24,42 +26,46 @@ namespace asperity
       return format_quantity(value, input.unit, 6);
     }
 
-    /** The point of -p, -v, -T and --set, in the law's order. */
+    /** The point of the options, in the law's order. */
     std::vector<double>
     point_of(const FrictionLawDescription &law, const CommandOptions &options)
     {
-      std::map<std::string, double> given =
-        parse_settings(law, options.settings);
-      for (const auto &[option, text] : options.values)
-        {
-          const LawInput &input = find_input(law, option.substr(1));
-          if (!given.emplace(input.name, parse_input(input, text, option))
-                 .second)
-            throw InputError("The input '" + input.name + "' is given by '" +
-                             option + "' and by '--set'.");
-        }
+      const std::map<std::string, double> given =
+        input_values(law, options, "predict");
       std::vector<double>      point;
       std::vector<std::string> missing;
       for (const LawInput &input : law.inputs)
-        {
-          if (const auto entry = given.find(input.name); entry != given.end())
-            {
-              point.push_back(entry->second);
-              continue;
-            }
-          const auto &symbols = ContactPointLaw::symbols();
-          const bool  has_option =
-            std::find(symbols.begin(), symbols.end(), input.symbol) !=
-            symbols.end();
-          const std::string example = in_unit(input.lower, input);
-          missing.push_back(has_option ?
-                              "-" + input.symbol + " \"" + example + "\"" :
-                              "--set \"" + input.name + " = " + example + "\"");
-        }
+        if (const auto entry = given.find(input.name); entry != given.end())
+          point.push_back(entry->second);
+        else
+          missing.push_back(option_of(law, input) + " \"" +
+                            in_unit(input.lower, input) + "\"");
       if (!missing.empty())
         throw InputError("The law of '" + law.output + "' also needs " +
                          join(missing, ", ") + ", for example.");
       return point;
+    }
+
+    /** A law whose numbers are damaged may answer with none. */
+    void
+    require_finite(const LawPrediction &at, const std::string &path)
+    {
+      bool finite = std::isfinite(at.mean) && std::isfinite(at.deviation) &&
+                    std::isfinite(at.surface_lower) &&
+                    std::isfinite(at.surface_upper);
+      for (const double slope : at.gradient)
+        finite = finite && std::isfinite(slope);
+      if (!finite)
+        throw InputError("The law in " + path +
+                         " gives no finite number at this point: the file is "
+                         "damaged, or the point is absurd.");
+    }
+
+    /** "mu", or "mu at the end" of the runs. */
+    std::string
+    output_name(const FrictionLawDescription &law)
+    {
+      return law.output == "mu_end" ? "mu at the end" : law.output;
     }
 
     /** Why a prediction is not to be trusted, or that it is. */
@@ -132,11 +138,12 @@ namespace asperity
           p = &point[i];
         else if (law.inputs[i].symbol == "T")
           T = &point[i];
-      if (law.output != "mu" || p == nullptr)
+      if (!is_friction_coefficient(law.output) || p == nullptr)
         return;
-      const bool   known = law.shear_limit.k_0 > 0. && T != nullptr;
-      const double k =
-        known ? law.shear_limit(*T) : std::numeric_limits<double>::infinity();
+      const bool known =
+        law.shear_limit.k_0 > 0. && (T != nullptr || !law.shear_limit.softens);
+      const double k       = known ? law.shear_limit(T == nullptr ? 0. : *T) :
+                                     std::numeric_limits<double>::infinity();
       const double coulomb = at.mean * *p;
       if (known)
         std::cout << "shear limit k = " << format_quantity(k, "MPa", 4)
@@ -201,10 +208,36 @@ namespace asperity
 
 
 
+  std::string
+  example_arguments(const FrictionLawDescription &law)
+  {
+    std::string text;
+    for (const LawInput &input : law.inputs)
+      {
+        const double middle =
+          input.scale == Scale::logarithmic ?
+            std::sqrt(input.lower) * std::sqrt(input.upper) :
+            0.5 * (input.lower + input.upper);
+        std::string value;
+        for (unsigned int digits = 3; digits <= 17; ++digits)
+          {
+            value             = format_quantity(middle, input.unit, digits);
+            const double read = parse_quantity(value, dimension_of(input.unit));
+            if (read >= input.lower && read <= input.upper)
+              break; // a narrow range wants more digits
+          }
+        value.erase(std::remove(value.begin(), value.end(), ' '), value.end());
+        text += " " + option_of(law, input) + " " + value;
+      }
+    return text;
+  }
+
+
+
   int
   predict_friction(const std::vector<std::string> &arguments)
   {
-    const CommandOptions options(arguments, {"-p", "-v", "-T", "--set"});
+    const CommandOptions options(arguments);
     if (options.words.size() != 1)
       throw InputError("'asperity predict' takes one law, as in 'asperity "
                        "predict law.json -p 450MPa -v 90m/min -T 300degC'.");
@@ -212,13 +245,16 @@ namespace asperity
     const FrictionLawDescription &description = law.description();
     const std::vector<double>     point       = point_of(description, options);
     const LawPrediction           at          = law.predict(point.data());
+    require_finite(at, options.words[0]);
     if (!is_first_rank())
       return 0;
-    std::cout << description.output << " = " << format_quantity(at.mean, "1", 5)
-              << ", 95 % interval " << format_quantity(at.lower, "1", 5)
-              << " to " << format_quantity(at.upper, "1", 5) << "\n"
+    std::cout << output_name(description) << " = "
+              << format_quantity(at.mean, "1", 5) << ", 95 % interval "
+              << format_quantity(at.lower, "1", 5) << " to "
+              << format_quantity(at.upper, "1", 5) << "\n"
               << trust_line(description, point, at) << "\n";
-    std::cout << surface_line(description, at) << "\n";
+    std::cout << mechanisms_sentence(description.mechanisms) << "\n"
+              << surface_line(description, at) << "\n";
     print_derivatives(description, at);
     print_shear(description, point, at);
     return 0;
@@ -229,14 +265,16 @@ namespace asperity
   int
   export_friction_law(const std::vector<std::string> &arguments)
   {
-    const CommandOptions options(arguments,
-                                 {"--tolerance", "--units", "--set"});
+    const CommandOptions options(arguments);
     if (options.words.size() != 2)
       throw InputError("'asperity export' takes a law and a directory, as in "
                        "'asperity export law.json for_abaqus'.");
     const FrictionLaw law = FrictionLaw::load(options.words[0]);
     ExportOptions     export_options;
-    export_options.fixed = parse_settings(law.description(), options.settings);
+    export_options.fixed = input_values(law.description(),
+                                        options,
+                                        "export",
+                                        {"--tolerance", "--units"});
     if (const auto entry = options.values.find("--tolerance");
         entry != options.values.end())
       export_options.grid.tolerance =

@@ -58,7 +58,9 @@ namespace asperity
     fixed_value(const std::map<std::string, double> &fixed,
                 const LawInput                      &input)
     {
-      const double *const value = find_fixed(fixed, input);
+      const double *value = find_fixed(fixed, input);
+      if (value == nullptr && input.reference)
+        value = &*input.reference;
       if (value == nullptr)
         throw InputError("The friction law also depends on '" + input.name +
                          "'; a value of it is expected, " + range(input) + ".");
@@ -88,7 +90,7 @@ namespace asperity
     : law_(law)
   {
     const FrictionLawDescription &description = law.description();
-    if (description.output != "mu")
+    if (!is_friction_coefficient(description.output))
       throw InputError("The law is one of '" + description.output +
                        "'; a law of 'mu' is expected.");
     require_known(fixed, description.inputs);

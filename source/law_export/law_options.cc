@@ -4,10 +4,33 @@
 #include <asperity/base/quantity.h>
 #include <asperity/base/text.h>
 
+#include <algorithm>
+#include <cctype>
+
 namespace asperity
 {
   namespace
   {
+    /** "Plastic strain" of "Load/Plastic strain" */
+    std::string
+    last_part(const std::string &entry)
+    {
+      return entry.substr(entry.rfind('/') + 1);
+    }
+
+    /** "--plastic-strain" */
+    std::string
+    long_option(const std::string &name)
+    {
+      std::string option = "--";
+      for (const char c : name)
+        option +=
+          c == ' ' || c == '/' ?
+            '-' :
+            static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      return option;
+    }
+
     std::string
     quoted_names(const FrictionLawDescription &law)
     {
@@ -17,6 +40,22 @@ namespace asperity
       return join(names, ", ");
     }
   } // namespace
+
+
+
+  std::string
+  option_of(const FrictionLawDescription &law, const LawInput &input)
+  {
+    for (const char *const symbol : {"p", "v", "T"})
+      if (input.symbol == symbol)
+        return "-" + input.symbol;
+    const std::string option = long_option(last_part(input.name));
+    for (const LawInput &other : law.inputs)
+      if (other.name != input.name &&
+          long_option(last_part(other.name)) == option)
+        return long_option(input.name);
+    return option;
+  }
 
 
 
@@ -47,7 +86,7 @@ namespace asperity
       {
         const std::size_t equals = setting.find('=');
         if (equals == std::string::npos)
-          throw InputError("'--set " + setting +
+          throw InputError("The setting '" + setting +
                            "' is not understood; \"name = value unit\" is "
                            "expected.");
         const LawInput &input =
@@ -55,10 +94,55 @@ namespace asperity
         const double value =
           parse_input(input, setting.substr(equals + 1), "--set");
         if (!result.emplace(input.name, value).second)
-          throw InputError("The input '" + input.name +
-                           "' is set twice by '--set'.");
+          throw InputError("The input '" + input.name + "' is set twice.");
       }
     return result;
+  }
+
+
+
+  namespace
+  {
+    const LawInput &
+    input_of_option(const FrictionLawDescription   &law,
+                    const std::string              &option,
+                    const std::string              &command,
+                    const std::vector<std::string> &own)
+    {
+      std::vector<std::string> known;
+      for (const LawInput &input : law.inputs)
+        {
+          known.push_back(option_of(law, input));
+          if (option == known.back() || option == long_option(input.name))
+            return input;
+        }
+      known.insert(known.end(), own.begin(), own.end());
+      known.push_back("--set");
+      throw InputError("'asperity " + command + "' has no option '" + option +
+                       "' for this law; its options are " + join(known, ", ") +
+                       ".");
+    }
+  } // namespace
+
+
+
+  std::map<std::string, double>
+  input_values(const FrictionLawDescription   &law,
+               const CommandOptions           &options,
+               const std::string              &command,
+               const std::vector<std::string> &own)
+  {
+    std::map<std::string, double> given = parse_settings(law, options.settings);
+    for (const auto &[option, text] : options.values)
+      {
+        if (std::find(own.begin(), own.end(), option) != own.end())
+          continue;
+        const LawInput &input = input_of_option(law, option, command, own);
+        if (!given.emplace(input.name, parse_input(input, text, option)).second)
+          throw InputError("The input '" + input.name + "' is given by '" +
+                           option + "' and once more.");
+      }
+    return given;
   }
 
 

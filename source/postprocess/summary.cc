@@ -1,11 +1,11 @@
 #include <asperity/base/atomic_file.h>
 #include <asperity/base/errors.h>
+#include <asperity/base/json_file.h>
 #include <asperity/postprocess/summary.h>
 
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <fstream>
 
 namespace asperity
 {
@@ -45,18 +45,6 @@ namespace asperity
   nlohmann::ordered_json
   read_summary(const std::string &path)
   {
-    std::ifstream in(path);
-    if (!in)
-      throw InputError("The file " + path +
-                       " could not be opened; a JSON document is expected.");
-    try
-      {
-        return nlohmann::ordered_json::parse(in);
-      }
-    catch (const nlohmann::json::parse_error &error)
-      {
-        throw InputError("The file " + path +
-                         " is not a JSON document: " + error.what() + ".");
-      }
+    return read_json(path, "a JSON document");
   }
 } // namespace asperity

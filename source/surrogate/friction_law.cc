@@ -27,7 +27,7 @@ namespace asperity
       if (input.name.empty() || input.symbol.empty())
         throw InputError(origin + ": An input of the law has no name or no "
                                   "symbol; each needs both.");
-      if (!(std::isfinite(input.lower) && std::isfinite(input.upper) &&
+      if (!(std::isfinite(input.upper - input.lower) &&
             input.lower < input.upper))
         throw InputError(origin + ": The input " + in_quotes(input.name) +
                          " ranges from " + format_number(input.lower) + " to " +
@@ -38,6 +38,20 @@ namespace asperity
                          " has a logarithmic scale and starts at " +
                          format_number(input.lower) +
                          "; a positive lower end is expected.");
+    }
+
+    void
+    check_names(const std::vector<LawInput> &inputs, const std::string &origin)
+    {
+      for (std::size_t i = 0; i < inputs.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+          if (inputs[i].name == inputs[j].name ||
+              inputs[i].symbol == inputs[j].symbol)
+            throw InputError(origin + ": The inputs " +
+                             in_quotes(inputs[j].name) + " and " +
+                             in_quotes(inputs[i].name) +
+                             " of the law have one name or symbol; different "
+                             "ones are expected.");
     }
 
     void
@@ -99,10 +113,18 @@ namespace asperity
 
 
 
+  bool
+  is_friction_coefficient(const std::string &output)
+  {
+    return output == "mu" || output == "mu_end";
+  }
+
+
+
   double
   ShearLimit::operator()(const double temperature) const
   {
-    if (temperature <= transition_temperature)
+    if (!softens || temperature <= transition_temperature)
       return k_0;
     if (temperature >= melting_temperature)
       return 0.;
@@ -124,8 +146,14 @@ namespace asperity
     if (d == 0)
       throw InputError(origin + ": The law has no input; at least one is "
                                 "expected.");
+    if (n > largest_number_of_runs)
+      throw InputError(origin + ": There are " + std::to_string(n) +
+                       " training points; at most " +
+                       std::to_string(largest_number_of_runs) +
+                       " are expected.");
     for (const LawInput &input : description.inputs)
       check_input(input, origin);
+    check_names(description.inputs, origin);
     if (data.x.size() != n * d ||
         (!data.known_deviation.empty() && data.known_deviation.size() != n))
       throw InputError(
@@ -190,6 +218,20 @@ namespace asperity
 
 
   double
+  FrictionLaw::left_out_error() const
+  {
+    double       error    = 0.;
+    const auto   left_out = process_->leave_one_out();
+    const double n        = static_cast<double>(data_.y.size());
+    for (std::size_t j = 0; j < data_.y.size(); ++j)
+      error += std::abs(unscaled(left_out[j].mean) - data_.y[j]) /
+               std::max(std::abs(data_.y[j]), 1e-300);
+    return error / n;
+  }
+
+
+
+  double
   FrictionLaw::unscaled(const double value) const
   {
     const double g = offset_ + factor_ * value;
@@ -239,9 +281,11 @@ namespace asperity
           dz_dx = x[i] > 0. ? dz_dx / x[i] : 0.;
         result.gradient[i] *= slope * dz_dx;
       }
-    result.trusted = is_inside(x) && result.deviation <=
-                                       description_.largest_trusted_deviation *
-                                         std::abs(result.mean);
+    result.trusted =
+      is_inside(x) && std::isfinite(result.mean) &&
+      std::isfinite(result.deviation) &&
+      result.deviation <=
+        description_.largest_trusted_deviation * std::abs(result.mean);
     return result;
   }
 

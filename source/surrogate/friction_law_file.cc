@@ -1,9 +1,12 @@
 #include <asperity/base/atomic_file.h>
 #include <asperity/base/errors.h>
+#include <asperity/base/json_file.h>
 #include <asperity/surrogate/friction_law.h>
 
 #include <cmath>
-#include <fstream>
+
+#include "law_checksum.h"
+#include "law_document.h"
 
 namespace asperity
 {
@@ -12,148 +15,36 @@ namespace asperity
     using Json = nlohmann::ordered_json;
 
     const char *const format_name    = "asperity friction law";
-    constexpr int     format_version = 3;
+    constexpr int     format_version = 4;
 
-    /** A part of the document, with its place for messages. */
-    class Node
-    {
-    public:
-      Node(const Json        &json,
-           const std::string &origin,
-           const std::string &place)
-        : json(json)
-        , origin(origin)
-        , place(place)
-      {}
-
-      [[noreturn]] void
-      fail(const std::string &expected) const
-      {
-        std::string found = json.dump();
-        if (found.size() > 40)
-          found = found.substr(0, 37) + "...";
-        throw InputError(origin + ": The entry '" + place +
-                         "' of the friction "
-                         "law is " +
-                         found + "; " + expected + " is expected.");
-      }
-
-      Node
-      child(const std::string &key) const
-      {
-        if (!json.is_object())
-          fail("an object");
-        const auto        position = json.find(key);
-        const std::string path     = place.empty() ? key : place + "/" + key;
-        if (position == json.end())
-          throw InputError(origin + ": The friction law has no entry '" + path +
-                           "'; every one that Asperity writes is expected.");
-        return Node(*position, origin, path);
-      }
-
-      std::vector<Node>
-      children() const
-      {
-        if (!json.is_array())
-          fail("a list");
-        std::vector<Node> result;
-        for (std::size_t i = 0; i < json.size(); ++i)
-          result.emplace_back(json[i], origin, place + "/" + std::to_string(i));
-        return result;
-      }
-
-      double
-      number() const
-      {
-        if (!json.is_number() || !std::isfinite(json.get<double>()))
-          fail("a number");
-        return json.get<double>();
-      }
-
-      double
-      number_above(const double bound, const bool or_equal) const
-      {
-        const double value = number();
-        if (!(value > bound || (or_equal && value == bound)))
-          fail(or_equal ? "a number that is not negative" :
-                          "a positive number");
-        return value;
-      }
-
-      unsigned int
-      count() const
-      {
-        if (!json.is_number_unsigned() || json.get<unsigned int>() == 0)
-          fail("a number of at least 1 without decimals");
-        return json.get<unsigned int>();
-      }
-
-      std::vector<double>
-      numbers() const
-      {
-        std::vector<double> result;
-        for (const Node &node : children())
-          result.push_back(node.number());
-        return result;
-      }
-
-      std::string
-      text() const
-      {
-        if (!json.is_string())
-          fail("a text");
-        return json.get<std::string>();
-      }
-
-      template <typename Choice>
-      Choice
-      choice(const std::vector<Choice> &choices) const
-      {
-        const std::string found =
-          json.is_string() ? json.get<std::string>() : "";
-        std::string names;
-        for (const Choice candidate : choices)
-          {
-            if (found == to_string(candidate))
-              return candidate;
-            names +=
-              (names.empty() ? "'" : " or '") + to_string(candidate) + "'";
-          }
-        fail(names);
-      }
-
-      const Json &
-      content() const
-      {
-        return json;
-      }
-
-    private:
-      const Json       &json;
-      const std::string origin, place;
-    };
+    /** Without checksum, mechanisms, references of inputs and `softens`. */
+    constexpr int oldest_version = 3;
 
     Scale
-    read_scale(const Node &node)
+    read_scale(const LawNode &node)
     {
       return node.choice<Scale>({Scale::linear, Scale::logarithmic});
     }
 
     LawInput
-    read_input(const Node &node)
+    read_input(const LawNode &node, const int version)
     {
       LawInput input;
-      input.name   = node.child("name").text();
-      input.symbol = node.child("symbol").text();
-      input.unit   = node.child("unit").text();
+      input.name   = node.child("name").name();
+      input.symbol = node.child("symbol").name();
+      input.unit   = node.child("unit").unit();
       input.lower  = node.child("lower").number();
       input.upper  = node.child("upper").number();
       input.scale  = read_scale(node.child("scale"));
+      if (version > 3)
+        if (const LawNode reference = node.child("reference");
+            !reference.content().is_null())
+          input.reference = reference.number();
       return input;
     }
 
     ShearLimit
-    read_shear_limit(const Node &node)
+    read_shear_limit(const LawNode &node, const int version)
     {
       ShearLimit limit;
       limit.k_0      = node.child("k_0").number_above(0., true);
@@ -163,6 +54,11 @@ namespace asperity
       limit.melting_temperature = node.child("melting_temperature").number();
       limit.strain              = node.child("strain").number();
       limit.rate                = node.child("rate").number();
+      if (version > 3)
+        limit.softens = node.child("softens").flag();
+      if (limit.k_0 > 0. && limit.softens &&
+          !(limit.transition_temperature < limit.melting_temperature))
+        node.child("melting_temperature").fail("more than the transition's");
       return limit;
     }
 
@@ -174,24 +70,25 @@ namespace asperity
               {"transition_temperature", limit.transition_temperature},
               {"melting_temperature", limit.melting_temperature},
               {"strain", limit.strain},
-              {"rate", limit.rate}};
+              {"rate", limit.rate},
+              {"softens", limit.softens}};
     }
 
     FrictionLawDescription
-    read_description(const Node &law)
+    read_description(const LawNode &law, const int version)
     {
       FrictionLawDescription result;
-      for (const Node &node : law.child("inputs").children())
-        result.inputs.push_back(read_input(node));
-      const Node output   = law.child("output");
-      result.output       = output.child("name").text();
-      result.output_scale = read_scale(output.child("scale"));
-      result.kernel       = law.child("kernel").choice<KernelKind>(
+      for (const LawNode &node : law.child("inputs").children())
+        result.inputs.push_back(read_input(node, version));
+      const LawNode output = law.child("output");
+      result.output        = output.child("name").name();
+      result.output_scale  = read_scale(output.child("scale"));
+      result.kernel        = law.child("kernel").choice<KernelKind>(
         {KernelKind::rbf, KernelKind::matern_3_2, KernelKind::matern_5_2});
       result.largest_trusted_deviation =
         law.child("largest_trusted_deviation").number_above(0., true);
-      const Node topography = law.child("topography");
-      result.n_profiles     = topography.child("profiles").count();
+      const LawNode topography = law.child("topography");
+      result.n_profiles        = topography.child("profiles").count();
       result.topography_scatter =
         topography.child("scatter").number_above(0., true);
       result.topography_error =
@@ -199,18 +96,21 @@ namespace asperity
       result.leave_one_out_error =
         law.child("leave_one_out_error").number_above(0., true);
       result.calibration = law.child("calibration").number_above(0., false);
-      result.shear_limit = read_shear_limit(law.child("shear_limit"));
-      for (const Node &node : law.child("warnings").children())
+      result.shear_limit = read_shear_limit(law.child("shear_limit"), version);
+      if (version > 3)
+        for (const LawNode &node : law.child("mechanisms").children())
+          result.mechanisms.push_back(node.name());
+      for (const LawNode &node : law.child("warnings").children())
         result.warnings.push_back(node.text());
       result.provenance = law.child("provenance").content();
       return result;
     }
 
     LawData
-    read_data(const Node &node, const std::size_t n_inputs)
+    read_data(const LawNode &node, const std::size_t n_inputs)
     {
       LawData result;
-      for (const Node &row : node.child("x").children())
+      for (const LawNode &row : node.child("x").children())
         {
           const std::vector<double> point = row.numbers();
           if (point.size() != n_inputs)
@@ -224,15 +124,15 @@ namespace asperity
     }
 
     Hyperparameters
-    read_hyperparameters(const Node &node, const std::size_t n_inputs)
+    read_hyperparameters(const LawNode &node, const std::size_t n_inputs)
     {
       Hyperparameters result;
       result.signal_variance =
         node.child("signal_variance").number_above(0., false);
       result.noise_variance =
         node.child("noise_variance").number_above(0., true);
-      const Node scales = node.child("length_scales");
-      for (const Node &scale : scales.children())
+      const LawNode scales = node.child("length_scales");
+      for (const LawNode &scale : scales.children())
         result.length_scales.push_back(scale.number_above(0., false));
       if (result.length_scales.size() != n_inputs)
         scales.fail("a list of " + std::to_string(n_inputs) +
@@ -240,8 +140,9 @@ namespace asperity
       return result;
     }
 
-    void
-    check_format(const Node &law, const std::string &origin)
+    /** The version of a law's document. */
+    int
+    check_format(const LawNode &law, const std::string &origin)
     {
       const Json &content = law.content();
       if (!content.is_object() || !content.contains("format") ||
@@ -250,10 +151,23 @@ namespace asperity
                          ": The document is no friction law: its entry "
                          "'format' must be '" +
                          format_name + "'.");
-      const Node version = law.child("version");
-      if (version.content() != format_version)
-        version.fail(std::to_string(format_version) +
-                     ", the version that this program reads,");
+      const LawNode version = law.child("version");
+      for (int known = oldest_version; known <= format_version; ++known)
+        if (version.content() == known)
+          return known;
+      version.fail(std::to_string(oldest_version) + " or " +
+                   std::to_string(format_version) +
+                   ", which this program reads,");
+    }
+
+    void
+    check_sum(const LawNode &law, const std::string &origin)
+    {
+      if (law.child("checksum").text() != law_checksum(law.content()))
+        throw InputError(
+          origin + ": The friction law was changed after it was written: "
+                   "its checksum is not that of its contents; expected the "
+                   "file as Asperity wrote it.");
     }
   } // namespace
 
@@ -271,12 +185,15 @@ namespace asperity
                       {"factor", factor_}};
     law["inputs"]  = Json::array();
     for (const LawInput &input : description_.inputs)
-      law["inputs"].push_back({{"name", input.name},
-                               {"symbol", input.symbol},
-                               {"unit", input.unit},
-                               {"lower", input.lower},
-                               {"upper", input.upper},
-                               {"scale", to_string(input.scale)}});
+      law["inputs"].push_back(
+        {{"name", input.name},
+         {"symbol", input.symbol},
+         {"unit", input.unit},
+         {"lower", input.lower},
+         {"upper", input.upper},
+         {"scale", to_string(input.scale)},
+         {"reference",
+          input.reference ? Json(*input.reference) : Json(nullptr)}});
     const Hyperparameters &found = process_->hyperparameters();
     law["kernel"]                = to_string(process_->kernel());
     law["hyperparameters"]       = {{"signal_variance", found.signal_variance},
@@ -289,6 +206,7 @@ namespace asperity
     law["leave_one_out_error"]       = description_.leave_one_out_error;
     law["calibration"]               = description_.calibration;
     law["shear_limit"] = shear_limit_to_json(description_.shear_limit);
+    law["mechanisms"]  = description_.mechanisms;
     law["warnings"]    = description_.warnings;
     law["provenance"]  = description_.provenance;
 
@@ -296,10 +214,37 @@ namespace asperity
     Json              rows = Json::array();
     for (auto x = data_.x.begin(); x != data_.x.end(); x += d)
       rows.push_back(std::vector<double>(x, x + d));
-    law["data"] = {{"x", rows},
-                   {"y", data_.y},
-                   {"known_deviation", data_.known_deviation}};
+    law["data"]     = {{"x", rows},
+                       {"y", data_.y},
+                       {"known_deviation", data_.known_deviation}};
+    law["checksum"] = law_checksum(law);
     return law;
+  }
+
+
+
+  void
+  FrictionLaw::require_agreement(const TrainingData &data,
+                                 const std::string  &origin) const
+  {
+    // The process sees values of mean 0 and variance 1, or constant ones.
+    double       square = 0.;
+    const double n      = static_cast<double>(data.y.size());
+    for (const double value : data.y)
+      square += value * value / n;
+    bool agrees =
+      std::isfinite(square) && square < 1. + 1e-6 &&
+      (square > 1. - 1e-6 || factor_ < 1e-9 * (1. + std::abs(offset_)));
+    if (agrees)
+      {
+        const double stated = description_.leave_one_out_error;
+        agrees = std::abs(left_out_error() - stated) <= 0.05 * stated + 1e-6;
+      }
+    if (!agrees)
+      throw InputError(
+        origin + ": The numbers of the friction law contradict each "
+                 "other: its error of cross-validation is not that of its "
+                 "data; expected the file as Asperity wrote it.");
   }
 
 
@@ -308,26 +253,31 @@ namespace asperity
   FrictionLaw::from_json(const nlohmann::ordered_json &document,
                          const std::string            &origin)
   {
-    const Node root(document, origin, "");
-    check_format(root, origin);
-    const FrictionLawDescription description = read_description(root);
+    const LawNode                root(document, origin, "");
+    const int                    version     = check_format(root, origin);
+    const FrictionLawDescription description = read_description(root, version);
     const std::size_t            d           = description.inputs.size();
     FrictionLaw law(description, read_data(root.child("data"), d), origin);
     law.offset_ = root.child("output").child("offset").number();
     law.factor_ = root.child("output").child("factor").number_above(0., false);
     const Hyperparameters hyperparameters =
       read_hyperparameters(root.child("hyperparameters"), d);
+    if (version > 3)
+      check_sum(root, origin);
+    const TrainingData data = law.scaled_data();
     try
       {
         law.process_ =
           std::make_shared<const GaussianProcess>(description.kernel,
                                                   hyperparameters,
-                                                  law.scaled_data());
+                                                  data);
       }
     catch (const std::runtime_error &error)
       {
         throw InputError(origin + ": " + error.what());
       }
+    if (version == 3)
+      law.require_agreement(data, origin); // for want of a checksum
     return law;
   }
 
@@ -336,21 +286,7 @@ namespace asperity
   FrictionLaw
   FrictionLaw::load(const std::string &path)
   {
-    std::ifstream in(path);
-    if (!in)
-      throw InputError("The file " + path +
-                       " could not be opened; a friction law is expected.");
-    Json document;
-    try
-      {
-        document = Json::parse(in);
-      }
-    catch (const Json::exception &error)
-      {
-        throw InputError("The file " + path +
-                         " is not a JSON document: " + error.what() + ".");
-      }
-    return from_json(document, path);
+    return from_json(read_json(path, "a friction law"), path);
   }
 
 

@@ -101,13 +101,7 @@ namespace asperity
         "A jitter was added to the diagonal of the covariance matrix: some "
         "training points nearly coincide.");
 
-    double     error    = 0.;
-    const auto left_out = law.process_->leave_one_out();
-    for (std::size_t j = 0; j < y.size(); ++j)
-      error += std::abs(law.unscaled(left_out[j].mean) - y[j]) /
-               std::max(std::abs(y[j]), 1e-300);
-    law.description_.leave_one_out_error =
-      error / static_cast<double>(y.size());
+    law.description_.leave_one_out_error = law.left_out_error();
     return law;
   }
 } // namespace asperity

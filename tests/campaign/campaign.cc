@@ -160,8 +160,9 @@ namespace
 // no deviation of theirs.
 TEST_F(CampaignRun, averages_over_profiles)
 {
+  use_measured_tool();
   CampaignInput input(folder, text());
-  input.parameters.profile_positions   = "row 10, row 20, row 30";
+  input.parameters.profile_positions   = "10 um, 30 um, 50 um";
   input.parameters.design.batch        = 0;
   input.parameters.design.initial_runs = 20;
   Campaign campaign(input.parameters,
@@ -191,8 +192,9 @@ TEST_F(CampaignRun, averages_over_profiles)
 
 TEST_F(CampaignRun, a_profile_that_fails_is_estimated_from_the_others)
 {
+  use_measured_tool();
   CampaignInput input(folder, text());
-  input.parameters.profile_positions = "row 10, row 20, row 30";
+  input.parameters.profile_positions = "10 um, 30 um, 50 um";
   input.parameters.design.batch      = 0;
   const auto runner = [](const std::string &scene, const RunOrder &order) {
     const bool gap  = order.id == 2 && order.profile == 2;
@@ -309,4 +311,70 @@ TEST_F(CampaignRun, does_not_record_runs_on_a_surface_that_has_changed)
                     formula_run);
   campaign.run();
   EXPECT_EQ(campaign.plan().n_points(false), 20u);
+}
+
+
+
+namespace
+{
+  /** Runs at low pressure carry no load, and at high pressure the tool pushes
+   *  the chip along a little. */
+  RunRecord
+  run_without_results(const std::string &scene, const RunOrder &order)
+  {
+    RunRecord record = formula_run(scene, order);
+    if (value_of(order, 0) < 400e6)
+      record.no_result = "load not carried";
+    else if (value_of(order, 0) > 1200e6)
+      record.mu = -1e-5;
+    return record;
+  }
+} // namespace
+
+
+
+TEST_F(CampaignRun, does_not_learn_from_runs_without_a_result)
+{
+  CampaignInput input(folder, text());
+  input.parameters.design.initial_runs = 20;
+  input.parameters.design.batch        = 0;
+  input.parameters.design.test_runs    = 0;
+  Campaign campaign(input.parameters,
+                    input.declarator,
+                    MPI_COMM_WORLD,
+                    run_without_results);
+  campaign.run();
+  const CampaignResults &results = campaign.results();
+  const SampleData       data    = results.training_data(20);
+  unsigned int           n_low = 0, n_high = 0;
+  for (const Sample &sample : results.table().samples())
+    {
+      const double p = sample.x[0];
+      n_low += p < 400e6 ? 1 : 0;
+      n_high += p > 1200e6 ? 1 : 0;
+      if (p < 400e6)
+        EXPECT_EQ(sample.reason,
+                  "The mean of this run is no friction coefficient: load not "
+                  "carried.");
+      else if (p > 1200e6)
+        EXPECT_EQ(
+          sample.reason,
+          "The friction coefficient of this run is -1e-05, which has no "
+          "logarithm (Friction law/Output scale).");
+      else
+        EXPECT_EQ(sample.reason, "");
+    }
+  ASSERT_GT(n_low, 0u);
+  ASSERT_GT(n_high, 0u);
+  EXPECT_EQ(data.y.size(), 20u - n_low - n_high);
+  EXPECT_EQ(results.n_without_result(), n_low + n_high);
+  ASSERT_FALSE(results.warnings().empty());
+  EXPECT_NE(results.warnings()[0].find("are not learnt from: " +
+                                       std::to_string(n_low + n_high)),
+            std::string::npos)
+    << results.warnings()[0];
+  const double x[] = {800e6, 1.5};
+  EXPECT_NEAR(results.train(data).mean(x),
+              formula(x[0], x[1]),
+              1e-2 * formula(x[0], x[1]));
 }

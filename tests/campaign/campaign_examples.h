@@ -32,6 +32,15 @@ namespace asperity
       std::filesystem::remove_all(folder);
     }
 
+    /** Profiles are those of a map. */
+    void
+    use_measured_tool() const
+    {
+      std::ofstream(folder / "scene.prm")
+        << "include " ASPERITY_SOURCE_DIR
+           "/parameter_files/friction_law/blasted_contact.prm\n";
+    }
+
     std::string
     text(const std::string &further = "") const
     {

@@ -184,6 +184,123 @@ TEST_F(Plan, belongs_to_a_scene_with_the_content_of_its_files)
 
 
 
+// What would end in a campaign without a law is refused before its runs.
+TEST_F(Plan, campaigns_that_cannot_give_a_law_are_refused)
+{
+  const auto expect = [&](const std::string &campaign,
+                          const std::string &sentence) {
+    EXPECT_NE(refusal(folder, campaign).find(sentence), std::string::npos)
+      << refusal(folder, campaign);
+  };
+  const auto design = [&](const std::string &entries) {
+    return text("subsection Campaign\n subsection Design\n" + entries +
+                " end\nend\n");
+  };
+  expect(replaced(text(), "Load/Velocity", "Load / Pressure"),
+         "Load/Pressure is already Input 1; expected each entry once.");
+  expect(replaced(text(), "Initial runs = 8", "Initial runs = 3"),
+         "found 3 runs; expected at least 4 for a law of 2 inputs");
+  expect(design("  set Kind = grid\n  set Grid points = 2.5, 3\n"),
+         "found 2.5; expected whole numbers.");
+  expect(design("  set Kind = grid\n  set Grid points = 1000, 1000\n"),
+         "found 1e+06 runs; expected at least 4 for a law of 2 inputs and at "
+         "most 5000.");
+  expect(design("  set Kind = grid\n  set Grid points = 5, 5\n"),
+         "found 20; expected at least the 25 initial runs.");
+  expect(text("subsection Campaign\n set Profile positions = row 1\nend\n"),
+         "found 'row 1', but the tool of the base scene is not measured "
+         "(Tool/Kind); expected nothing.");
+  expect(text("subsection Campaign\n set Profile positions = a, a\nend\n"),
+         "found 'a' twice; expected positions that differ.");
+  expect(replaced(text(), (folder / "out").string(), " "),
+         "found nothing; expected a folder for the campaign.");
+  expect(replaced(text(), "Load/Velocity", "Mesh/Spans"), "'22.5 m/min'");
+  expect(replaced(text(), "Load/Velocity", "Lubrication/Model"),
+         "found Lubrication/Model, whose value is no number; expected an entry "
+         "that takes a number.");
+  expect(replaced(text(), "Load/Velocity", "Output/Picture interval"),
+         "expected an entry that is not of the subsection Output.");
+  expect(text("subsection Export\n set Table tolerance = 1\nend\n"),
+         "Table tolerance");
+}
+
+
+
+TEST_F(Plan, profiles_beyond_the_map_are_refused)
+{
+  use_measured_tool();
+  EXPECT_NE(refusal(folder,
+                    text("subsection Campaign\n set Profile positions = 10 um, "
+                         "10 mm\nend\n"))
+              .find("entry 'Campaign/Profile positions': "),
+            std::string::npos);
+}
+
+
+
+// At which a table over p, v and T alone is written.
+TEST_F(Plan, further_inputs_have_a_value_for_tables)
+{
+  std::ofstream(folder / "scene.prm")
+    << "subsection Lubrication\n set Model = pocket\n set Wetting = 0.8\nend\n";
+  const auto reference = [&](const std::string &from, const std::string &at) {
+    const CampaignInput input(folder,
+                              replaced(replaced(replaced(text(),
+                                                         "Load/Velocity",
+                                                         "Lubrication/Wetting"),
+                                                "22.5 m/min",
+                                                from),
+                                       "200 m/min",
+                                       "1" + at));
+    return *CampaignPlan(input.parameters, input.declarator)
+              .inputs()[1]
+              .reference;
+  };
+  EXPECT_EQ(reference("0.2", ""), 0.8);
+  EXPECT_DOUBLE_EQ(reference("0.9", ""), std::sqrt(0.9)); // logarithmic
+  EXPECT_EQ(reference("0.2", "\n  set Export at = 40 %"), 0.4);
+  const CampaignInput input(
+    folder,
+    replaced(replaced(replaced(text(), "Load/Velocity", "Lubrication/Wetting"),
+                      "22.5 m/min",
+                      "0.2"),
+             "200 m/min",
+             "1"));
+  EXPECT_NE(CampaignPlan(input.parameters, input.declarator)
+              .description(input.parameters)
+              .find("Wetting: Lubrication/Wetting, 0.2 to 1; an argument of "
+                    "exported C and Fortran, 0.8 in exported tables (Export "
+                    "at)\n"),
+            std::string::npos);
+  EXPECT_NE(refusal(folder,
+                    replaced(text(),
+                             "set To = 200 m/min",
+                             "set To = 200 m/min\n  set Export at = 3 m/s"
+                             "\n  set Export at = 5 m/s"))
+              .find("Export at"),
+            std::string::npos);
+}
+
+
+
+TEST_F(Plan, entries_of_whole_numbers_get_whole_numbers)
+{
+  const CampaignInput input(
+    folder,
+    replaced(replaced(replaced(text(), "Load/Velocity", "Mesh/Spans"),
+                      "22.5 m/min",
+                      "16"),
+             "200 m/min",
+             "64"));
+  CampaignPlan plan(input.parameters, input.declarator);
+  plan.start(input.parameters, (folder / "plan.json").string());
+  for (const PlannedPoint &point : plan.points())
+    EXPECT_EQ(point.x[1], std::round(point.x[1]));
+  EXPECT_EQ(plan.inputs()[1].symbol, "Spans");
+}
+
+
+
 TEST(RunRecord, reads_back_and_belongs_to_its_order)
 {
   const std::string path = testing::TempDir() + "/asperity_record.json";

@@ -109,6 +109,52 @@ TEST_F(FrictionLaws, predict_takes_inputs_by_name_too)
             predict("-p 450MPa -v 90m/min -T 300degC"));
 }
 
+// Every input has an option, and each is taken by name as a word as well.
+TEST_F(FrictionLaws, predict_takes_further_inputs)
+{
+  law(true).save((folder / "wet.json").string());
+  const std::string point = "predict wet.json -p 450MPa -v 90m/min -T 300degC ";
+  const Result      result = run(point + "--wetting 0.6");
+  EXPECT_EQ(result.status, 0) << result.errors;
+  const double mu = 0.1 * std::pow(1.5, -0.2) * std::pow(1.5, -0.05) * 0.7;
+  EXPECT_NEAR(number_behind(result.output, "mu = "), mu, 0.01 * mu);
+  for (const std::string same : {"--wetting=0.6",
+                                 "Wetting=0.6",
+                                 "'Lubrication/Wetting = 60 %'",
+                                 "--lubrication-wetting 0.6",
+                                 "--set Wetting=0.6"})
+    EXPECT_EQ(run(point + same).output, result.output) << same;
+  EXPECT_EQ(refused(point),
+            "Error: The law of 'mu' also needs --wetting \"0\", for "
+            "example.\n");
+  EXPECT_EQ(refused(point + "--plastic-strain 1"),
+            "Error: 'asperity predict' has no option '--plastic-strain' for "
+            "this law; its options are -p, -v, -T, --wetting, --set.\n");
+}
+
+TEST_F(FrictionLaws, predict_says_which_mechanisms_are_in_mu)
+{
+  EXPECT_NE(predict("-p 450MPa -v 90m/min -T 300degC")
+              .find("\nWhich mechanisms are in this mu is not known: "),
+            std::string::npos);
+  const FrictionLaw      dry         = law(false);
+  FrictionLawDescription description = dry.description();
+  for (const auto &[mechanisms, sentence] :
+       {std::make_pair(std::vector<std::string>{"ploughing"},
+                       "\nThis mu comes from ploughing alone; adhesion, the "
+                       "shear of the dry interface, is not in it.\n"),
+        {{"ploughing", "oil"},
+         "\nThis mu comes from ploughing and oil; adhesion, the shear of the "
+         "dry interface, is not in it.\n"}})
+    {
+      description.mechanisms = mechanisms;
+      FrictionLaw::train(description, dry.data().x, dry.data().y)
+        .save((folder / "law.json").string());
+      EXPECT_NE(predict("-p 450MPa -v 90m/min -T 300degC").find(sentence),
+                std::string::npos);
+    }
+}
+
 TEST_F(FrictionLaws, predict_says_why_a_point_is_not_trusted)
 {
   const std::string text = predict("-p 1.5GPa -v 90m/min -T 1000degC");
@@ -137,20 +183,21 @@ TEST_F(FrictionLaws, predict_wants_units_and_all_inputs)
   EXPECT_EQ(refused("predict law.json -p 450MPa -p 450MPa"),
             "Error: The option '-p' of 'asperity predict' is given twice.\n");
   EXPECT_EQ(refused("predict law.json -q 3"),
-            "Error: 'asperity predict' has no option '-q'; its options are -p, "
-            "-v, -T, --set.\n");
+            "Error: 'asperity predict' has no option '-q' for this law; its "
+            "options are -p, -v, -T, --set.\n");
   EXPECT_EQ(refused("predict law.json -p 450MPa -v 90m/min --set T=300degC "
                     "--set 'Load/Temperature = 300 degC'"),
-            "Error: The input 'Load/Temperature' is set twice by '--set'.\n");
+            "Error: The input 'Load/Temperature' is set twice.\n");
   EXPECT_EQ(refused("predict law.json -p 450MPa --set p=400MPa"),
-            "Error: The input 'Load/Pressure' is given by '-p' and by "
-            "'--set'.\n");
+            "Error: The input 'Load/Pressure' is given by '-p' and once "
+            "more.\n");
   EXPECT_EQ(refused("predict law.json --set 'Load/Presure = 400 MPa'"),
             "Error: The law has no input 'Load/Presure'; did you mean "
             "'Load/Pressure'?\n");
-  EXPECT_EQ(refused("predict law.json --set 'Wetting 0.5'"),
-            "Error: '--set Wetting 0.5' is not understood; \"name = value "
-            "unit\" is expected.\n");
+  EXPECT_EQ(
+    refused("predict law.json --set 'Wetting 0.5'"),
+    "Error: The setting 'Wetting 0.5' is not understood; \"name = value "
+    "unit\" is expected.\n");
 }
 
 TEST_F(FrictionLaws, predict_wants_a_law)
@@ -199,4 +246,6 @@ TEST_F(FrictionLaws, export_refuses_what_it_cannot_do)
             "Error: The friction law also depends on 'Lubrication/Wetting'; a "
             "value of it is expected, 0 to 1.\n");
   EXPECT_EQ(run("export wet.json wet --set Wetting=50%").status, 0);
+  EXPECT_EQ(run("export wet.json wet2 --wetting 50%").status, 0);
+  EXPECT_EQ(read("wet2/tribmu.c"), read("wet/tribmu.c"));
 }

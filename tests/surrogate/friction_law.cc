@@ -297,8 +297,11 @@ TEST(FrictionLaw, takes_one_to_six_inputs)
     {
       FrictionLawDescription description;
       for (std::size_t i = 0; i < d; ++i)
-        description.inputs.push_back(
-          {"Group/Entry", "x" + std::to_string(i + 1), "1", 0., 1.});
+        description.inputs.push_back({"Group/Entry " + std::to_string(i + 1),
+                                      "x" + std::to_string(i + 1),
+                                      "1",
+                                      0.,
+                                      1.});
       const TrainingData data = sample(60, d, [](const auto &x) {
         return std::exp(x.front() + 0.5 * x.back());
       });

@@ -9,7 +9,8 @@ namespace asperity
 {
   /**
    * The command line of one command: words without a dash in front, and options
-   * that each take a value, as in `asperity predict law.json -p 450MPa`.
+   * that each take a value, as in `asperity predict law.json -p 450MPa`, or
+   * `--wetting=0.6`.
    */
   struct CommandOptions
   {
@@ -30,6 +31,19 @@ namespace asperity
      */
     CommandOptions(const std::vector<std::string> &arguments,
                    const std::vector<std::string> &known);
+
+    /**
+     * For a command whose options depend on what its first word names: takes
+     * any option, which the caller judges, and counts a word with a sign of
+     * equality behind the first one among the settings, "Wetting=0.5".
+     * @throws InputError for options without a value or given twice
+     */
+    explicit CommandOptions(const std::vector<std::string> &arguments);
+
+  private:
+    void
+    parse(const std::vector<std::string> &arguments,
+          const std::vector<std::string> *known);
   };
 } // namespace asperity
 

@@ -18,9 +18,14 @@ namespace asperity
     std::string from;  ///< with unit
     std::string to;
     Scale       scale = Scale::linear;
+    std::string export_at; ///< with unit; empty: as the base scene has it
 
     void
     declare(ParameterDeclarator &parameters, const unsigned int number);
+
+    /** The entry without blanks around its parts, as the scene calls it. */
+    std::string
+    path() const;
   };
 
   /** Which points are computed. */
@@ -38,6 +43,16 @@ namespace asperity
 
     void
     declare(ParameterDeclarator &parameters);
+
+    /** Points of the first design. */
+    double
+    n_first_runs() const;
+
+    /** @throws InputError if the first design is too small for a law of so many
+     *  inputs, too large for any, or no design at all */
+    void
+    check(const ParameterDeclarator &parameters,
+          const std::size_t          n_inputs) const;
   };
 
   /** Which result of a run the law is about. */
@@ -93,9 +108,18 @@ namespace asperity
     void
     declare(ParameterDeclarator &parameters);
 
-    /** Relations between entries; throws InputError. */
+    /** @throws InputError if entries contradict each other, or cannot give a
+     *  law */
     void
     check(const ParameterDeclarator &parameters) const;
+
+  private:
+    void
+    check_input(const ParameterDeclarator &parameters,
+                const std::size_t          number) const;
+
+    void
+    check_profiles(const ParameterDeclarator &parameters) const;
   };
 } // namespace asperity
 

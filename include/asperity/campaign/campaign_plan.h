@@ -88,8 +88,8 @@ namespace asperity
     void
     read(const std::string &path);
 
-    /** As the scene reads it: a number with a unit may be off by a rounding
-     *  error. */
+    /** As the scene reads it: whole numbers where it wants them, and a number
+     *  with a unit may be off by a rounding error. */
     std::vector<double>
     as_written(std::vector<double> x) const;
 
@@ -99,6 +99,7 @@ namespace asperity
     follow(const std::vector<double> &design, const bool test);
 
     std::vector<LawInput>     inputs_;
+    std::vector<bool>         is_whole_number; ///< of each input's entry
     std::vector<std::string>  profiles;
     std::vector<PlannedPoint> points_;
     std::string               base_scene_text_;

@@ -69,6 +69,10 @@ namespace asperity
     double
     seconds() const;
 
+    /** Runs that ended, but whose mean is no friction coefficient. */
+    unsigned int
+    n_without_result() const;
+
     /** How the law's output differs between profiles, from the training points
      *  that have all of them. */
     const ProfileScatter &
@@ -83,7 +87,7 @@ namespace asperity
     combine(const PlannedPoint           &point,
             const std::vector<RunRecord> &records) const;
 
-    /** Adds up time and warnings. */
+    /** Adds up time, mechanisms and warnings. */
     void
     note(const RunRecord &record);
 
@@ -96,6 +100,9 @@ namespace asperity
 
     ProfileScatter scatter_;
     unsigned int   n_points_with_gaps_ = 0;
+    unsigned int   n_without_result_   = 0;
+
+    std::vector<std::string> mechanisms_; ///< of all runs that are learnt from
 
     std::vector<std::pair<std::string, unsigned int>> warnings_;
   };

@@ -28,6 +28,10 @@ namespace asperity
     bool        done = false; ///< false: it failed
     std::string reason;       ///< why it failed
 
+    /** Why its mean is no friction coefficient, see FrictionStatus; empty if it
+     *  is one. */
+    std::string no_result;
+
     double mu = 0., mu_end = 0., spread = 0.;
     double contact_fraction = 0.;
     double oil_pressure = 0., oil_load_share = 0.;
@@ -36,6 +40,7 @@ namespace asperity
 
     std::vector<DistanceMean> over_distance;
     std::string               lubricant;
+    std::vector<std::string>  mechanisms; ///< of its mu
     std::vector<std::string>  warnings;
     unsigned int              steps = 0, newton_iterations = 0;
     double                    seconds = 0.; ///< of one core

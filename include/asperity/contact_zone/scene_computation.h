@@ -22,7 +22,8 @@ namespace asperity
     std::vector<DistanceMean> over_distance;
     FrictionRow               last; ///< state at the end
     double                    oil_load_share = 0.;
-    std::string               lubricant; ///< model, as in parameter files
+    std::string               lubricant;  ///< model, as in parameter files
+    std::vector<std::string>  mechanisms; ///< of mu, see mechanisms_of()
     bool                      is_steady         = true;
     unsigned int              steps             = 0;
     unsigned int              newton_iterations = 0;

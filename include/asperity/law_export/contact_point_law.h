@@ -17,7 +17,8 @@ namespace asperity
    * A friction law as a chip-formation program asks for it: by pressure,
    * velocity and temperature, which are the inputs with the symbols p, v and T.
    * Those of them that the law does not have change nothing; its other inputs,
-   * the wetting for example, are held at fixed values.
+   * the wetting for example, are held at fixed values: those given, else the
+   * law's own references.
    */
   class ContactPointLaw
   {
@@ -31,8 +32,9 @@ namespace asperity
     /**
      * @param fixed SI values of the inputs that are none of p, v, T, by name
      *   ("Lubrication/Wetting") or symbol
-     * @throws InputError if the law is not one of mu, a value is missing, is
-     *   none of the law's inputs, or is outside of its range
+     * @throws InputError if the law is not one of mu, a value is missing that
+     *   has no reference, is none of the law's inputs, or is outside of its
+     *   range
      */
     explicit ContactPointLaw(const FrictionLaw                   &law,
                              const std::map<std::string, double> &fixed = {});

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,22 +34,26 @@ namespace asperity
     std::string unit;   ///< for people, "MPa"; all numbers here are SI
     double      lower = 0., upper = 1.;
     Scale       scale = Scale::linear;
+
+    /** At which exports hold it that have no argument for it; SI. */
+    std::optional<double> reference = {};
   };
 
   /**
    * Shear strength of the chip, the limit of tau in the sticking zone (Zorev):
    * k(T) = k_0 (1 - T*^m), T* = (T - T_transition) / (T_melt - T_transition) in
-   * [0, 1]; k_0 = (A + B eps^n) (1 + C ln(rate / rate_0)) / sqrt(3) at the
-   * strain and rate that are stated.
+   * [0, 1], or k_0 at all temperatures; k_0 is the flow stress over sqrt(3) at
+   * the strain and rate that are stated and below T_transition.
    */
   struct ShearLimit
   {
-    double k_0                    = 0.; ///< [Pa]; 0: unknown
-    double exponent               = 1.; ///< m
-    double transition_temperature = 0.; ///< [K]
-    double melting_temperature    = 0.; ///< [K]
-    double strain                 = 0.; ///< of k_0
-    double rate                   = 0.; ///< of k_0 [1/s]
+    double k_0                    = 0.;   ///< [Pa]; 0: unknown
+    double exponent               = 1.;   ///< m
+    double transition_temperature = 0.;   ///< [K]
+    double melting_temperature    = 0.;   ///< [K]
+    double strain                 = 0.;   ///< of k_0
+    double rate                   = 0.;   ///< of k_0 [1/s]
+    bool   softens                = true; ///< false: k is k_0 at all T
 
     double
     operator()(const double temperature) const;
@@ -110,12 +115,20 @@ namespace asperity
     double calibration = 1.;
 
     ShearLimit shear_limit;
+
+    /** What makes the friction, see mechanisms_sentence(); empty: not known. */
+    std::vector<std::string> mechanisms;
+
     /** What training has to say about the data and the hyperparameters, one
      *  sentence each; set by training. */
     std::vector<std::string> warnings;
 
     nlohmann::ordered_json provenance; ///< versions, files, date, design
   };
+
+  /** Whether an output of runs, "mu" or "mu_end", is a friction coefficient. */
+  bool
+  is_friction_coefficient(const std::string &output);
 
   /** What a law was trained on; SI. */
   struct LawData
@@ -138,6 +151,9 @@ namespace asperity
     /** Part of an input's range by which a point may miss the box and still be
      *  inside: what a conversion of units may cost it. */
     static constexpr double edge_tolerance = 1e-9;
+
+    /** Training takes n^2 numbers of memory and n^3 operations. */
+    static constexpr unsigned int largest_number_of_runs = 5000;
 
     /**
      * Trains the hyperparameters by maximum likelihood, and the size of the
@@ -188,12 +204,13 @@ namespace asperity
     nlohmann::ordered_json
     to_json() const;
 
-    /** @throws InputError naming @p origin if the document is no law */
+    /** @throws InputError naming @p origin if the document is no law, or not as
+     *  it was written: its checksum says so */
     static FrictionLaw
     from_json(const nlohmann::ordered_json &document,
               const std::string            &origin);
 
-    /** @throws InputError if the file is missing or is no law */
+    /** @throws InputError if the file is missing, is no law, or was changed */
     static FrictionLaw
     load(const std::string &path);
 
@@ -213,6 +230,17 @@ namespace asperity
     /** z of one input. */
     double
     scaled(const double x, const std::size_t input) const;
+
+    /** Mean of |error| / value of each training point predicted by the others.
+     */
+    double
+    left_out_error() const;
+
+    /** @throws InputError if numbers of a file are damaged, as far as its error
+     *  of cross-validation tells */
+    void
+    require_agreement(const TrainingData &data,
+                      const std::string  &origin) const;
 
     /** The output that belongs to a value of the process. */
     double
