@@ -134,6 +134,11 @@ extern "C"
                                 const double                *T,
                                 double                      *k);
 
+  /* One sentence on which mechanisms make mu (ploughing, oil) and which are not
+   * in it. It lives as long as the law; NULL for NULL. */
+  ASPERITY_FRICTION_API const char *
+  asperity_friction_mechanisms(const asperity_friction_law *law);
+
   /*
    * How far the profiles of the surface tell its mean; part of neither sigma
    * nor trusted, since all contact points share that error.

@@ -30,6 +30,7 @@ Asperity; numpy is used if it is there.
     answer.mu, answer.deviation, answer.trusted
     answer.derivatives                            # by p, v and T
     law.topography.error                          # of the surface's mean
+    law.mechanisms                                # what makes mu, a sentence
 
     law.predict(pressures, velocities, 573.15)    # lists or arrays, too
     law.shear_stress(450e6, 1.5, 573.15)          # min(mu p, k) in Pa
@@ -121,6 +122,8 @@ def _load_library(path):
         _double_pointer, _double_pointer, _byte_pointer]
     library.asperity_friction_shear_limit.argtypes = [
         ctypes.c_void_p, ctypes.c_size_t, _double_pointer, _double_pointer]
+    library.asperity_friction_mechanisms.restype = ctypes.c_char_p
+    library.asperity_friction_mechanisms.argtypes = [ctypes.c_void_p]
     library.asperity_friction_topography.argtypes = [
         ctypes.c_void_p, ctypes.POINTER(ctypes.c_size_t), _double_pointer,
         _double_pointer]
@@ -229,6 +232,8 @@ class FrictionLaw:
         self.inputs = [self._input(index) for index in range(
             self._library.asperity_friction_n_inputs(self._handle))]
         self.topography = self._topography()
+        self.mechanisms = self._library.asperity_friction_mechanisms(
+            self._handle).decode()
 
     def __del__(self):
         if self._handle:

@@ -1,5 +1,6 @@
 #include "export_text.h"
 
+#include <asperity/base/mechanisms.h>
 #include <asperity/base/quantity.h>
 #include <asperity/base/version.h>
 
@@ -23,6 +24,11 @@ namespace asperity
     {
       if (!(limit.k_0 > 0.))
         return "Shear limit k: unknown, so tau = mu p.";
+      if (!limit.softens)
+        return "Shear limit k = " + format_quantity(limit.k_0, "MPa", 6) +
+               ", the flow stress at strain " +
+               format_quantity(limit.strain, "1", 4) +
+               " over sqrt(3). tau = min(mu p, k).";
       return "Shear limit k(T) = " + format_quantity(limit.k_0, "MPa", 6) +
              " (1 - T*^" + format_quantity(limit.exponent, "1", 6) +
              "), T* = (T - " +
@@ -35,22 +41,11 @@ namespace asperity
              " over sqrt(3). tau = min(mu p, k).";
     }
 
-    /** So that no text from outside ends the comment that it stands in. */
-    std::string
-    without_comment_marks(std::string text)
-    {
-      for (std::size_t i = 0; i + 1 < text.size(); ++i)
-        if ((text[i] == '*' && text[i + 1] == '/') ||
-            (text[i] == '/' && text[i + 1] == '*'))
-          text.insert(i + 1, " ");
-      return text;
-    }
-
     /** As wrapped(), but breaks words that are too long as well. */
     void
     append_wrapped(std::vector<std::string> &lines, const std::string &text)
     {
-      for (std::string line : wrapped(without_comment_marks(text), text_width))
+      for (std::string line : wrapped(plain_text(text), text_width))
         {
           for (; line.size() > text_width; line.erase(0, text_width))
             lines.push_back(line.substr(0, text_width));
@@ -96,14 +91,15 @@ namespace asperity
     const FrictionLawDescription &d = law.law().description();
     std::vector<std::string>      lines;
     append_wrapped(lines, "Written by " + version_line() + ".");
+    append_wrapped(lines, mechanisms_sentence(d.mechanisms));
     append_wrapped(lines,
                    "Law: Gaussian process, kernel " +
                      kernel_name(law.law().process().kernel()) + ", " +
                      std::to_string(law.law().process().data().y.size()) +
                      " runs, relative leave-one-out error " +
                      percent(d.leave_one_out_error) + ", fitted to " +
-                     (d.output_scale == Scale::logarithmic ? "ln(mu)." :
-                                                             "mu."));
+                     (d.output_scale == Scale::logarithmic ? "ln(mu)" : "mu") +
+                     (d.output == "mu_end" ? " at the end of the runs." : "."));
     if (d.topography_scatter > 0.)
       append_wrapped(lines,
                      "Mean over " + std::to_string(d.n_profiles) +
@@ -123,16 +119,43 @@ namespace asperity
                          ": the law does not depend on it");
     for (std::size_t i = 0; i < d.inputs.size(); ++i)
       if (law.coordinates()[i] == ContactPointLaw::n_coordinates)
-        append_wrapped(lines,
-                       "  " + d.inputs[i].name + " = " +
-                         format_quantity(law.fixed_values()[i],
-                                         d.inputs[i].unit,
-                                         6) +
-                         ", held fixed");
+        append_wrapped(
+          lines,
+          "  " + d.inputs[i].name + " = " +
+            format_quantity(law.fixed_values()[i], d.inputs[i].unit, 6) +
+            ", held fixed where it is no argument, of " +
+            format_quantity(d.inputs[i].lower, d.inputs[i].unit, 6) + " to " +
+            format_quantity(d.inputs[i].upper, d.inputs[i].unit, 6));
     append_wrapped(lines, shear_limit_line(d.shear_limit));
+    constexpr std::size_t most_entries = 50;
+    std::size_t           n            = 0;
     for (const auto &[key, value] : d.provenance.items())
-      append_wrapped(lines, key + ": " + value.dump(-1, ' ', true));
+      if (++n <= most_entries)
+        append_wrapped(lines, key + ": " + value.dump(-1, ' ', true));
     return lines;
+  }
+
+
+
+  std::string
+  plain_text(const std::string &text)
+  {
+    constexpr std::size_t largest_size = 500;
+    std::string           result;
+    for (const char c : text.substr(0, largest_size))
+      {
+        const auto        code = static_cast<unsigned char>(c);
+        const char        next = code < 0x20 || code == 0x7f ? ' ' :
+                                 code > 0x7f                 ? '?' :
+                                                               c;
+        const std::string pair =
+          result.empty() ? "" : std::string{result.back(), next};
+        for (const char *const mark : {"*/", "/*", "//", "??"})
+          if (pair == mark)
+            result += ' ';
+        result += next;
+      }
+    return text.size() > largest_size ? result + " ..." : result;
   }
 
 

@@ -20,6 +20,15 @@ namespace asperity
   std::vector<std::string>
   law_lines(const ContactPointLaw &law);
 
+  /**
+   * Text from a law's file, as it may stand in a comment of any program: in one
+   * line of printable ASCII characters, without marks of comments and
+   * trigraphs, and of at most 500 characters. What is none of these becomes a
+   * blank or a question mark.
+   */
+  std::string
+  plain_text(const std::string &text);
+
   /** Title, law and licence, each line behind the mark of a comment. */
   std::string
   comment_header(const std::vector<std::string> &title,

@@ -16,11 +16,11 @@ namespace asperity
 
     ExportedNumbers::Coordinate
     make_coordinate(const LawInput    &input,
-                    const unsigned int index,
+                    const unsigned int place,
                     const double       length)
     {
       ExportedNumbers::Coordinate c;
-      c.index       = index;
+      c.place       = place;
       c.lower       = input.lower;
       c.margin      = FrictionLaw::edge_tolerance * (input.upper - input.lower);
       c.upper       = input.upper;
@@ -47,29 +47,25 @@ namespace asperity
     , shear_limit(law.law().description().shear_limit)
   {
     const GaussianProcess       &process = law.law().process();
-    const std::vector<double>   &x       = process.data().x;
     const std::vector<LawInput> &inputs  = law.law().description().inputs;
-    const std::size_t            n       = process.data().y.size();
+    const std::vector<double>   &lengths =
+      process.hyperparameters().length_scales;
     for (std::size_t i = 0; i < inputs.size(); ++i)
       {
-        Coordinate c =
-          make_coordinate(inputs[i],
-                          law.coordinates()[i],
-                          process.hyperparameters().length_scales[i]);
-        for (std::size_t j = 0; j < n; ++j)
-          c.points.push_back(x[j * inputs.size() + i] / c.length);
-        if (c.index < ContactPointLaw::n_coordinates)
+        unsigned int place = law.coordinates()[i];
+        if (place == ContactPointLaw::n_coordinates)
           {
-            coordinates.push_back(c);
-            continue;
+            place += static_cast<unsigned int>(further.size());
+            further.push_back(
+              {inputs[i].name,
+               accepted_units(dimension_of(inputs[i].unit)).front(),
+               law.fixed_values()[i]});
           }
-        const double s =
-          (on_scale(inputs[i].scale, law.fixed_values()[i]) - c.origin) /
-          c.span / c.length;
-        rest.resize(n, 0.);
-        for (std::size_t j = 0; j < n; ++j)
-          rest[j] += (c.points[j] - s) * (c.points[j] - s);
+        coordinates.push_back(make_coordinate(inputs[i], place, lengths[i]));
       }
+    points = process.data().x;
+    for (std::size_t k = 0; k < points.size(); ++k)
+      points[k] /= lengths[k % inputs.size()];
     for (const double alpha : process.alpha())
       weights.push_back(signal_variance * alpha);
     if (with_deviation)
@@ -79,17 +75,12 @@ namespace asperity
 
 
 
-  std::vector<double>
-  taylor_coefficients()
+  unsigned int
+  ExportedNumbers::kernel_number() const
   {
-    std::vector<double> result;
-    double              factorial = 1.;
-    for (unsigned int i = 2; i <= 14; ++i)
-      {
-        factorial *= i;
-        result.insert(result.begin(), 1. / factorial);
-      }
-    return result;
+    return kernel == KernelKind::rbf        ? 1 :
+           kernel == KernelKind::matern_3_2 ? 3 :
+                                              5;
   }
 
 

@@ -10,25 +10,32 @@ namespace asperity
 {
   /**
    * The numbers that generated source code evaluates a law with:
-   *   s_c = (g(x_c) - origin_c) / span_c / length_c,
-   *   r_j^2 = rest_j + sum over c of (points_cj - s_c)^2,
+   *   s_i = (g(x_i) - origin_i) / span_i / length_i,
+   *   r_j^2 = sum over i of (points_ji - s_i)^2,
    *   m = sum_of_weights + sum over j of weights_j (f(r_j) - 1),
    *   mu = g^-1(offset + factor m), and g, f by output scale and kernel;
    *   deviation of m: sqrt(signal_variance (1 - |B f|^2)),
-   * where rest_j comes from the inputs that are held at fixed values and B =
-   * sqrt(signal_variance) L^-1, the lower triangle row by row.
+   * with B = sqrt(signal_variance) L^-1, the lower triangle row by row.
    */
   struct ExportedNumbers
   {
-    /** An input among pressure (0), velocity (1), temperature (2). */
+    /** An input of the law. */
     struct Coordinate
     {
-      unsigned int        index = 0;
-      double              lower = 0., upper = 1.;
-      double              margin      = 0.; ///< that still counts as inside
-      bool                logarithmic = false;
-      double              origin = 0., span = 1., length = 1.;
-      std::vector<double> points;
+      /** Pressure (0), velocity (1), temperature (2), or a further input. */
+      unsigned int place = 0;
+
+      double lower = 0., upper = 1.;
+      double margin      = 0.; ///< that still counts as inside
+      bool   logarithmic = false;
+      double origin = 0., span = 1., length = 1.;
+    };
+
+    /** An input beside pressure, velocity and temperature. */
+    struct Further
+    {
+      std::string name, unit; ///< SI
+      double      value;      ///< at which it is held where it is no argument
     };
 
     /** @param with_deviation whether B is wanted */
@@ -37,19 +44,19 @@ namespace asperity
     KernelKind              kernel;
     Scale                   output_scale;
     std::vector<Coordinate> coordinates;
+    std::vector<Further>    further; ///< places 3, 4, ...
+    std::vector<double>     points;  ///< run by run
     std::vector<double>     weights;
     double                  sum_of_weights;
-    std::vector<double>     rest; ///< empty if nothing is fixed
-    std::vector<double>     B;    ///< empty if not wanted
+    std::vector<double>     B; ///< empty if not wanted
     double                  signal_variance, offset, factor;
     double                  largest_trusted_deviation;
     ShearLimit              shear_limit;
-  };
 
-  /** 1/14!, 1/13!, ..., 1/2!: with 1/15! before them, the Horner scheme of
-   *  (exp(-a) - 1 + a) / a^2, as correlation::deficits() has it. */
-  std::vector<double>
-  taylor_coefficients();
+    /** 1: RBF, 3: Matern 3/2, 5: Matern 5/2, as templates call them. */
+    unsigned int
+    kernel_number() const;
+  };
 
   /** The shortest text that reads back as the same double, with a point or an
    *  exponent so that it is no whole number for C; "1.5e-07". */

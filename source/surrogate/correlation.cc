@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel_formulas.h"
+
 // One version of each loop for every width of vector registers, chosen when the
 // program is loaded. Sanitizers start too late for that choice.
 #if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && \
@@ -15,37 +17,11 @@
 
 namespace asperity
 {
-  namespace
-  {
-    /** (exp(-a) - 1 + a) / a^2 for a < 1/2, where its Taylor series of 14 terms
-     *  is exact to rounding. */
-    inline double
-    exponential_rest(const double a)
-    {
-      double sum = 1. / 1307674368000.; // 1/15!
-      sum        = 1. / 87178291200. - a * sum;
-      sum        = 1. / 6227020800. - a * sum;
-      sum        = 1. / 479001600. - a * sum;
-      sum        = 1. / 39916800. - a * sum;
-      sum        = 1. / 3628800. - a * sum;
-      sum        = 1. / 362880. - a * sum;
-      sum        = 1. / 40320. - a * sum;
-      sum        = 1. / 5040. - a * sum;
-      sum        = 1. / 720. - a * sum;
-      sum        = 1. / 120. - a * sum;
-      sum        = 1. / 24. - a * sum;
-      sum        = 1. / 6. - a * sum;
-      return 0.5 - a * sum;
-    }
-  } // namespace
-
-
-
   namespace correlation
   {
-    /** Where exp(-a) is zero for all purposes, before vectorised versions of
-     *  exp fall back to slow ones and before infinities can come up. */
-    constexpr double largest_exponent = 700.;
+    /** Before vectorised versions of exp fall back to slow ones and before
+     *  infinities can come up. */
+    constexpr double largest = KERNEL_LARGEST_ARGUMENT;
 
     ASPERITY_ALL_VECTOR_WIDTHS
     void
@@ -79,28 +55,26 @@ namespace asperity
     {
       if (kernel == KernelKind::rbf)
         for (std::size_t j = 0; j < n; ++j)
-          values[j] =
-            variance * std::exp(-std::min(0.5 * r2[j], largest_exponent));
+          {
+            const double a = std::min(RBF_ARGUMENT(r2[j]), largest);
+            values[j]      = variance * RBF_VALUE(a, std::exp(-a));
+          }
       else if (kernel == KernelKind::matern_3_2)
         for (std::size_t j = 0; j < n; ++j)
           {
-            const double a = std::min(std::sqrt(3. * r2[j]), largest_exponent);
-            values[j]      = variance * (1. + a) * std::exp(-a);
+            const double a = std::min(MATERN_3_2_ARGUMENT(r2[j]), largest);
+            values[j]      = variance * MATERN_3_2_VALUE(a, std::exp(-a));
           }
       else
         for (std::size_t j = 0; j < n; ++j)
           {
-            const double a = std::min(std::sqrt(5. * r2[j]), largest_exponent);
-            values[j]      = variance * (1. + a + a * a / 3.) * std::exp(-a);
+            const double a = std::min(MATERN_5_2_ARGUMENT(r2[j]), largest);
+            values[j]      = variance * MATERN_5_2_VALUE(a, std::exp(-a));
           }
     }
 
 
 
-    // With R(a) = exponential_rest(a), exp(-a) = 1 - a + a^2 R:
-    // exp(-a) - 1 = a (a R - 1),
-    // (1 + a) exp(-a) - 1 = a^2 ((1 + a) R - 1),
-    // (1 + a + a^2/3) exp(-a) - 1 = a^2 ((1 + a + a^2/3) R - 2/3 - a/3).
     // Both branches are computed, so that there is no jump in the loop.
     ASPERITY_ALL_VECTOR_WIDTHS
     void
@@ -113,28 +87,29 @@ namespace asperity
       if (kernel == KernelKind::rbf)
         for (std::size_t j = 0; j < n; ++j)
           {
-            const double a     = std::min(0.5 * r2[j], largest_exponent);
-            const double small = a * (a * exponential_rest(a) - 1.);
-            const double large = std::exp(-a) - 1.;
-            deficits[j]        = variance * (a < 0.5 ? small : large);
+            const double a     = std::min(RBF_ARGUMENT(r2[j]), largest);
+            const double small = RBF_DEFICIT(a, kernel_rest(a));
+            const double large = RBF_VALUE(a, std::exp(-a)) - 1.;
+            deficits[j] =
+              variance * (a < KERNEL_LARGE_ARGUMENT ? small : large);
           }
       else if (kernel == KernelKind::matern_3_2)
         for (std::size_t j = 0; j < n; ++j)
           {
-            const double a = std::min(std::sqrt(3. * r2[j]), largest_exponent);
-            const double small = a * a * ((1. + a) * exponential_rest(a) - 1.);
-            const double large = (1. + a) * std::exp(-a) - 1.;
-            deficits[j]        = variance * (a < 0.5 ? small : large);
+            const double a     = std::min(MATERN_3_2_ARGUMENT(r2[j]), largest);
+            const double small = MATERN_3_2_DEFICIT(a, kernel_rest(a));
+            const double large = MATERN_3_2_VALUE(a, std::exp(-a)) - 1.;
+            deficits[j] =
+              variance * (a < KERNEL_LARGE_ARGUMENT ? small : large);
           }
       else
         for (std::size_t j = 0; j < n; ++j)
           {
-            const double a = std::min(std::sqrt(5. * r2[j]), largest_exponent);
-            const double p = 1. + a + a * a / 3.;
-            const double small =
-              a * a * (p * exponential_rest(a) - (2. + a) / 3.);
-            const double large = p * std::exp(-a) - 1.;
-            deficits[j]        = variance * (a < 0.5 ? small : large);
+            const double a     = std::min(MATERN_5_2_ARGUMENT(r2[j]), largest);
+            const double small = MATERN_5_2_DEFICIT(a, kernel_rest(a));
+            const double large = MATERN_5_2_VALUE(a, std::exp(-a)) - 1.;
+            deficits[j] =
+              variance * (a < KERNEL_LARGE_ARGUMENT ? small : large);
           }
     }
 
@@ -150,19 +125,21 @@ namespace asperity
     {
       if (kernel == KernelKind::rbf)
         for (std::size_t j = 0; j < n; ++j)
-          slopes[j] =
-            variance * std::exp(-std::min(0.5 * r2[j], largest_exponent));
+          {
+            const double a = std::min(RBF_ARGUMENT(r2[j]), largest);
+            slopes[j]      = variance * RBF_SLOPE(a, std::exp(-a));
+          }
       else if (kernel == KernelKind::matern_3_2)
         for (std::size_t j = 0; j < n; ++j)
           {
-            const double a = std::min(std::sqrt(3. * r2[j]), largest_exponent);
-            slopes[j]      = 3. * variance * std::exp(-a);
+            const double a = std::min(MATERN_3_2_ARGUMENT(r2[j]), largest);
+            slopes[j]      = variance * MATERN_3_2_SLOPE(a, std::exp(-a));
           }
       else
         for (std::size_t j = 0; j < n; ++j)
           {
-            const double a = std::min(std::sqrt(5. * r2[j]), largest_exponent);
-            slopes[j]      = 5. / 3. * variance * (1. + a) * std::exp(-a);
+            const double a = std::min(MATERN_5_2_ARGUMENT(r2[j]), largest);
+            slopes[j]      = variance * MATERN_5_2_SLOPE(a, std::exp(-a));
           }
     }
 

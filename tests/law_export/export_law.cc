@@ -22,6 +22,8 @@ TEST(ExportLaw, writes_every_file_with_licence_and_provenance)
       const std::string text = folder.read("out/" + file.name);
       EXPECT_NE(text.find("Permission is hereby granted"), std::string::npos);
       EXPECT_NE(text.find("blasted.x3p"), std::string::npos);
+      EXPECT_NE(text.find("This mu comes from ploughing and oil; adhesion"),
+                std::string::npos);
       EXPECT_NE(text.find("kernel Matern 5/2"), std::string::npos);
       const std::string extension =
         file.name.substr(file.name.find_last_of('.') + 1);

@@ -77,6 +77,7 @@ namespace asperity_test
     result.n_profiles            = 3;
     result.topography_scatter    = 0.2;
     result.shear_limit           = {6e8, 1.3558, 293.15, 1773.15, 1., 1e4};
+    result.mechanisms            = {"ploughing", "oil"};
     result.provenance["surface"] = "blasted.x3p";
     // what would end a comment in C, or a line of it
     result.provenance["note"] =

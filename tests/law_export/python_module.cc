@@ -27,6 +27,7 @@ for p, v, T in points:
     assert abs(law.mean(p, v, T) - at.mu) <= 1e-14
     show(at.mu, *at.derivatives, at.deviation, at.trusted,
          law.shear_limit(T), law.shear_stress(p, v, T))
+assert law.mechanisms.startswith("This mu comes from ploughing and oil; adh")
 assert law.topography.profiles == 3 and law.topography.scatter == 0.2
 # Student's quantile for two degrees of freedom
 assert abs(law.topography.error - 4.302652729696142 * 0.2 / 3**0.5) < 1e-9

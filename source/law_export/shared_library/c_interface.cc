@@ -1,4 +1,5 @@
 #include <asperity/base/errors.h>
+#include <asperity/base/mechanisms.h>
 #include <asperity/surrogate/friction_law.h>
 
 #include <asperity_friction.h>
@@ -16,11 +17,13 @@ struct asperity_friction_law
     : law(asperity::FrictionLaw::load(path))
     , limit(law.description().shear_limit)
     , n_inputs(law.description().inputs.size())
+    , mechanisms(asperity::mechanisms_sentence(law.description().mechanisms))
   {}
 
   const asperity::FrictionLaw law;
   const asperity::ShearLimit  limit;
   const std::size_t           n_inputs;
+  const std::string           mechanisms;
 };
 
 namespace
@@ -268,6 +271,14 @@ extern "C"
         k[i] = law->limit.k_0 > 0. ? law->limit(T[i]) :
                                      std::numeric_limits<double>::infinity();
     });
+  }
+
+
+
+  const char *
+  asperity_friction_mechanisms(const asperity_friction_law *law)
+  {
+    return law == nullptr ? nullptr : law->mechanisms.c_str();
   }
 
 
