@@ -11,8 +11,6 @@
 
 namespace asperity
 {
-  using json = nlohmann::ordered_json;
-
   CampaignPlan::CampaignPlan(const CampaignParameters  &parameters,
                              const ParameterDeclarator &declarator)
     : profiles(split(parameters.profile_positions, ','))

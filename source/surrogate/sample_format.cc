@@ -300,9 +300,10 @@ namespace asperity
   {
     Reader      reader(path);
     std::string line;
+    // what stands in a file that is no table is nobody's business
     if (!reader.next_line(line) || line != first_line)
-      reader.fail("'" + line + "' was found, but '" + first_line +
-                  "' is expected");
+      reader.fail(std::string("the line is not that of a sample table; '") +
+                  first_line + "' is expected");
     std::vector<LawInput> inputs;
     while (reader.next_line(line) && line.rfind(input_start, 0) == 0)
       inputs.push_back(reader.input(line));

@@ -180,3 +180,61 @@ TEST_F(Characterize, a_folder_takes_one_campaign_at_a_time_and_no_run)
             "folder 'one' holds the results of a campaign; expected a folder "
             "of its own.\n");
 }
+
+// mu(p, wetting, strain) from few runs, to its advice and its export.
+TEST_F(Characterize, further_inputs_end_with_a_law_that_answers)
+{
+  write(
+    "oily.prm",
+    "subsection Mesh\n set Spans = 32\n set Refinement levels = 1\nend\n"
+    "subsection Protocol\n set Ramp steps = 6\n set Slide steps = 12\n"
+    " set Inertia = quasi-static\nend\n"
+    "subsection Lubrication\n set Model = pocket\n set Wetting = 0.8\nend\n");
+  const std::string text =
+    "subsection Campaign\n set Base scene = oily.prm\n set Output directory = "
+    "law\n subsection Input 1\n  set Entry = Load/Pressure\n"
+    "  set From = 300 MPa\n  set To = 900 MPa\n end\n"
+    " subsection Input 2\n  set Entry = Lubrication / Wetting\n"
+    "  set From = 20 %\n  set To = 1\n end\n"
+    " subsection Input 3\n  set Entry = Load/Plastic strain\n"
+    "  set From = 0\n  set To = 2\n end\n"
+    " subsection Design\n  set Initial runs = 8\n  set Batch = 0\n end\nend\n"
+    "subsection Friction law\n set Output = mu at the end\nend\n";
+  write("campaign.prm", text);
+  const Result checked = run("check campaign.prm");
+  ASSERT_EQ(checked.status, 0) << checked.errors;
+  EXPECT_NE(checked.output.find(
+              "Wetting: Lubrication/Wetting, 20 % to 100 %; an "
+              "argument of exported C and Fortran, 80 % in "
+              "exported tables (Export at)"),
+            std::string::npos)
+    << checked.output;
+  const Result result = run("characterize campaign.prm");
+  ASSERT_EQ(result.status, 0) << result.errors;
+  const std::string sentence =
+    "This mu comes from ploughing and oil; adhesion, the shear of the dry "
+    "interface, is not in it.\n";
+  EXPECT_NE(result.output.find(sentence), std::string::npos) << result.output;
+  for (const std::string file : {"law/summary.json", "law/friction_law.json"})
+    EXPECT_NE(read(file).find("\"mechanisms\": ["), std::string::npos) << file;
+
+  const std::string mark  = "Ask it: asperity ";
+  const std::size_t begin = result.output.find(mark);
+  ASSERT_NE(begin, std::string::npos);
+  const std::string advice =
+    result.output.substr(begin + mark.size(),
+                         result.output.find('\n', begin) - begin - mark.size());
+  EXPECT_EQ(advice,
+            "predict law/friction_law.json -p 600MPa --wetting 60% "
+            "--plastic-strain 1");
+  const Result answer = run(advice);
+  EXPECT_EQ(answer.status, 0) << answer.errors;
+  EXPECT_EQ(answer.output.find("mu at the end = "), 0u) << answer.output;
+  EXPECT_NE(answer.output.find(sentence), std::string::npos);
+  for (const std::string file : {"law/export/tribmu.c",
+                                 "law/export/tribmu.f",
+                                 "law/export/abaqus_friction.inp",
+                                 "law/export/friction_table.csv"})
+    EXPECT_NE(read(file).find("ploughing and oil; adhesion"), std::string::npos)
+      << file;
+}

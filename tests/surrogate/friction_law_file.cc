@@ -324,12 +324,11 @@ TEST(FrictionLawFile, files_without_a_checksum_are_read)
 
 TEST(FrictionLawFile, their_damaged_numbers_are_refused)
 {
-  for (const auto &[pointer, value] :
-       {std::make_pair("/output/factor", 1e-308),
-        {"/output/factor", 1e300},
-        {"/output/offset", 1e308},
-        {"/data/y/0", 1e308},
-        {"/inputs/0/upper", 1e308}})
+  for (const auto &[pointer, value] : {std::make_pair("/output/factor", 1e-308),
+                                       {"/output/factor", 1e300},
+                                       {"/output/offset", 1e308},
+                                       {"/data/y/0", 1e308},
+                                       {"/inputs/0/upper", 1e308}})
     {
       Json document                         = old_document();
       document[Json::json_pointer(pointer)] = value;

@@ -224,7 +224,8 @@ TEST(SampleTable, refuses_runs_that_do_not_fit)
 
 TEST(SampleTable, says_what_is_wrong_with_a_file)
 {
-  EXPECT_NE(complaint("version 1", "version 2").find("is expected"),
+  EXPECT_NE(complaint("version 1", "version 2")
+              .find("the line is not that of a sample table; '# Asperity"),
             std::string::npos);
   EXPECT_NE(complaint("; linear", "").find("Line 2"), std::string::npos);
   EXPECT_NE(complaint("; linear", "; square").find("'linear'"),
