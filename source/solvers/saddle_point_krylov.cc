@@ -106,15 +106,20 @@ namespace asperity
 
 
 
+  SaddlePointKrylov::StartedMpi::StartedMpi()
+  {
+    MpiSession::start();
+  }
+
+
+
   SaddlePointKrylov::SaddlePointKrylov(
     const std::vector<std::vector<bool>> &components,
     const KrylovOptions                  &options)
     : options(options)
     , modes(components)
     , n_first(components.front().size())
-  {
-    MpiSession::start(); // for Trilinos
-  }
+  {}
 
 
 

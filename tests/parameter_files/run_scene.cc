@@ -71,12 +71,12 @@ main(int argc, char **argv)
         std::max(imbalance, std::abs(std::abs(row.T_y) / load(row.time) - 1.));
       slip =
         std::max(slip, std::abs(row.distance / (velocity * row.time) - 1.));
-      ratio = std::max(ratio, std::abs(std::abs(row.T_x / row.T_y) - row.mu));
+      ratio = std::max(ratio, std::abs(row.T_x / row.T_y - row.mu));
     }
   const auto answer = [](const bool holds) { return holds ? "yes" : "no"; };
   std::cout << "T_y is the load at every step: " << answer(imbalance < 1e-4)
             << "\nsliding distance is v t: " << answer(slip < 1e-9)
-            << "\nmu is |T_x/T_y|: " << answer(ratio < 1e-9)
+            << "\nmu is T_x/T_y: " << answer(ratio < 1e-9)
             << "\nlast time over end time: " << rows.back().time / end_time
             << std::endl;
   return 0;

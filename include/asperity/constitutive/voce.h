@@ -37,10 +37,10 @@ namespace asperity
   };
 
   /**
-   * Isotropic hardening that saturates (E. Voce, J. Inst. Met. 74 (1948) 537)
-   * and a linear part, without rate or temperature:
+   * Isotropic hardening that saturates (Voce 1948) and a linear part, without
+   * rate or temperature:
    *   sigma = sigma_0 + (sigma_inf - sigma_0) (1 - exp(-delta eps)) + H eps
-   * (J. C. Simo and F. Armero, Int. J. Numer. Methods Eng. 33 (1992) 1413).
+   * (Simo and Armero 1992).
    */
   class Voce : public FlowStress<Voce>
   {

@@ -115,6 +115,13 @@ namespace asperity
     void
     apply_commutator(Vector &x, const Vector &b) const;
 
+    /** Trilinos needs MPI from the construction of its preconditioners on. */
+    struct StartedMpi
+    {
+      StartedMpi();
+    };
+
+    const StartedMpi                     mpi;
     const KrylovOptions                  options;
     const std::vector<std::vector<bool>> modes; ///< component -> its unknowns
     const unsigned int                   n_first;
