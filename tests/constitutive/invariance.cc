@@ -18,7 +18,7 @@ namespace
 
 
 
-TEST(Invariance, StressTurnsWithTheFrameAndTheStateStays)
+TEST(Invariance, stress_turns_with_the_frame_and_the_state_stays)
 {
   for (const auto &law : all_laws())
     {
@@ -62,7 +62,7 @@ TEST(Invariance, StressTurnsWithTheFrameAndTheStateStays)
 
 
 
-TEST(Invariance, TheMaterialIsIsotropic)
+TEST(Invariance, the_material_is_isotropic)
 {
   for (const auto &law : all_laws())
     {
@@ -91,7 +91,7 @@ TEST(Invariance, TheMaterialIsIsotropic)
 
 
 
-TEST(Invariance, ARigidRotationAfterPlasticFlowChangesNothing)
+TEST(Invariance, a_rigid_rotation_after_plastic_flow_changes_nothing)
 {
   const auto         law   = MaterialParameters().make_law();
   const Tensor<2, 3> F     = plane(1.1, 0.2, -0.1, 0.95, 1.);

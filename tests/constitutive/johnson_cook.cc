@@ -82,7 +82,7 @@ namespace
 
 
 
-TEST(JohnsonCook, IsothermalTableOfFlowStress)
+TEST(JohnsonCook, isothermal_table_of_flow_stress)
 {
   const JohnsonCook flow{JohnsonCookParameters()};
   const double      strain[] = {0., 0.01, 0.1, 0.5, 1.};
@@ -101,7 +101,7 @@ TEST(JohnsonCook, IsothermalTableOfFlowStress)
 
 
 
-TEST(JohnsonCook, AdiabaticTableByTheFullUpdateAtConstantPlasticRate)
+TEST(JohnsonCook, adiabatic_table_by_the_full_update_at_constant_plastic_rate)
 {
   const auto   law        = MaterialParameters().make_law();
   const double reported[] = {0.01, 0.1, 0.5, 1.};
@@ -142,7 +142,7 @@ TEST(JohnsonCook, AdiabaticTableByTheFullUpdateAtConstantPlasticRate)
 
 
 
-TEST(JohnsonCook, FactorsAreOneAtTheirReference)
+TEST(JohnsonCook, factors_are_one_at_their_reference)
 {
   const JohnsonCookParameters p;
   const JohnsonCook           flow(p);
@@ -161,7 +161,7 @@ TEST(JohnsonCook, FactorsAreOneAtTheirReference)
 
 
 
-TEST(JohnsonCook, DerivativesAgreeWithFiniteDifferences)
+TEST(JohnsonCook, derivatives_agree_with_finite_differences)
 {
   const JohnsonCook flow{JohnsonCookParameters()};
   for (const double strain : {1e-6, 0.01, 0.7})
@@ -192,7 +192,7 @@ TEST(JohnsonCook, DerivativesAgreeWithFiniteDifferences)
 
 
 
-TEST(JohnsonCook, RefusesConstantsWithoutPhysicalMeaning)
+TEST(JohnsonCook, refuses_constants_without_physical_meaning)
 {
   const auto refused = [](const std::function<void(MaterialParameters &)> &set,
                           const std::string &word) {

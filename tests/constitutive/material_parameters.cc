@@ -9,7 +9,7 @@
 
 using namespace asperity;
 
-TEST(MaterialParameters, AreReadWithUnits)
+TEST(MaterialParameters, are_read_with_units)
 {
   MaterialParameters       material;
   dealii::ParameterHandler handler;
@@ -42,7 +42,7 @@ TEST(MaterialParameters, AreReadWithUnits)
 
 
 
-TEST(MaterialParameters, RefuseValuesOutOfRange)
+TEST(MaterialParameters, refuse_values_out_of_range)
 {
   for (const std::string entry : {"set Density = -1 kg/m^3",
                                   "set Young's modulus = 0 GPa",

@@ -73,7 +73,7 @@ namespace
 
 
 
-TEST(Voce, StartsAtTheYieldStressAndTendsToItsAsymptote)
+TEST(Voce, starts_at_the_yield_stress_and_tends_to_its_asymptote)
 {
   // the steel of Simo and Armero (1992), in GPa there
   const Voce flow({0.45e9, 0.715e9, 16.93, 0.12924e9});
@@ -92,7 +92,7 @@ TEST(Voce, StartsAtTheYieldStressAndTendsToItsAsymptote)
 
 
 
-TEST(UniaxialStress, LinearHardeningFollowsTheClosedForm)
+TEST(UniaxialStress, linear_hardening_follows_the_closed_form)
 {
   const double sigma_0 = 300e6, H = 2e9;
   const auto   law = linear_hardening(sigma_0, H);
@@ -118,7 +118,7 @@ TEST(UniaxialStress, LinearHardeningFollowsTheClosedForm)
 
 
 
-TEST(UniaxialStress, JohnsonCookFollowsTheScalarEquation)
+TEST(UniaxialStress, johnson_cook_follows_the_scalar_equation)
 {
   const auto        law = isothermal_johnson_cook();
   const JohnsonCook flow{JohnsonCookParameters()};
@@ -151,7 +151,7 @@ TEST(UniaxialStress, JohnsonCookFollowsTheScalarEquation)
 
 
 
-TEST(PureShear, PlasticStretchIsIndependentOfTheNumberOfSteps)
+TEST(PureShear, plastic_stretch_is_independent_of_the_number_of_steps)
 {
   const double sigma_0 = 300e6, H = 2e9;
   const auto   law    = linear_hardening(sigma_0, H);
@@ -178,7 +178,7 @@ TEST(PureShear, PlasticStretchIsIndependentOfTheNumberOfSteps)
 
 
 
-TEST(PureShear, UnloadingIsElasticAndReverseYieldIsSymmetric)
+TEST(PureShear, unloading_is_elastic_and_reverse_yield_is_symmetric)
 {
   const double           sigma_0 = 300e6, H = 2e9;
   const auto             law    = linear_hardening(sigma_0, H);
@@ -198,7 +198,7 @@ TEST(PureShear, UnloadingIsElasticAndReverseYieldIsSymmetric)
 
 
 
-TEST(SimpleShear, HenckyElasticityFollowsTheClosedFormWithoutOscillation)
+TEST(SimpleShear, hencky_elasticity_follows_the_closed_form_without_oscillation)
 {
   MaterialParameters parameters;
   parameters.choose(HenckyParameters());
@@ -232,7 +232,7 @@ TEST(SimpleShear, HenckyElasticityFollowsTheClosedFormWithoutOscillation)
 
 
 
-TEST(SimpleShear, PerfectPlasticityTendsToItsShearYieldStress)
+TEST(SimpleShear, perfect_plasticity_tends_to_its_shear_yield_stress)
 {
   const double     sigma_0 = 300e6;
   const auto       law     = linear_hardening(sigma_0, 0.);
@@ -248,7 +248,7 @@ TEST(SimpleShear, PerfectPlasticityTendsToItsShearYieldStress)
 
 
 
-TEST(NeoHooke, UniaxialStrainFollowsTheClosedForm)
+TEST(NeoHooke, uniaxial_strain_follows_the_closed_form)
 {
   MaterialParameters parameters;
   parameters.choose(NeoHookeParameters());
@@ -262,7 +262,7 @@ TEST(NeoHooke, UniaxialStrainFollowsTheClosedForm)
 
 
 
-TEST(StVenantKirchhoff, UniaxialStrainFollowsTheClosedForm)
+TEST(StVenantKirchhoff, uniaxial_strain_follows_the_closed_form)
 {
   MaterialParameters parameters;
   parameters.choose(StVenantKirchhoffParameters());

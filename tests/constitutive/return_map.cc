@@ -30,7 +30,7 @@ namespace
 
 
 
-TEST(ReturnMap, NeverFailsOverRatesTemperaturesAndIncrements)
+TEST(ReturnMap, never_fails_over_rates_temperatures_and_increments)
 {
   const auto        law = MaterialParameters().make_law();
   const JohnsonCook flow{JohnsonCookParameters()};
@@ -80,7 +80,7 @@ TEST(ReturnMap, NeverFailsOverRatesTemperaturesAndIncrements)
 
 
 
-TEST(ReturnMap, EndsOnTheYieldSurfaceAndHeatsByThePlasticWork)
+TEST(ReturnMap, ends_on_the_yield_surface_and_heats_by_the_plastic_work)
 {
   const auto        law = MaterialParameters().make_law();
   const JohnsonCook flow{JohnsonCookParameters()};
@@ -126,7 +126,7 @@ TEST(ReturnMap, EndsOnTheYieldSurfaceAndHeatsByThePlasticWork)
 
 
 
-TEST(ReturnMap, PlasticFlowKeepsTheVolume)
+TEST(ReturnMap, plastic_flow_keeps_the_volume)
 {
   for (const auto &law : all_laws())
     {
@@ -144,7 +144,7 @@ TEST(ReturnMap, PlasticFlowKeepsTheVolume)
 
 
 
-TEST(ReturnMap, AStepThatDoesNotMoveDoesNotYieldAgain)
+TEST(ReturnMap, a_step_that_does_not_move_does_not_yield_again)
 {
   const auto        law = MaterialParameters().make_law();
   RandomDeformation random(7);
@@ -166,7 +166,8 @@ TEST(ReturnMap, AStepThatDoesNotMoveDoesNotYieldAgain)
 
 
 
-TEST(ReturnMap, HeldAfterAFastStepTheStressRelaxesToTheStaticFlowStress)
+TEST(ReturnMap,
+     held_after_a_fast_step_the_stress_relaxes_to_the_static_flow_stress)
 {
   const auto         law = MaterialParameters().make_law();
   const JohnsonCook  flow{JohnsonCookParameters()};
@@ -189,7 +190,7 @@ TEST(ReturnMap, HeldAfterAFastStepTheStressRelaxesToTheStaticFlowStress)
 
 
 
-TEST(ReturnMap, TurnsInsideOutOrNotANumberIsAStatus)
+TEST(ReturnMap, turns_inside_out_or_not_a_number_is_a_status)
 {
   const double                    nan = std::nan(""), infinity = INFINITY;
   const std::vector<Tensor<2, 3>> impossible = {
@@ -214,7 +215,7 @@ TEST(ReturnMap, TurnsInsideOutOrNotANumberIsAStatus)
 
 
 
-TEST(ReturnMap, NeedsFewEvaluationsOfTheFlowStress)
+TEST(ReturnMap, needs_few_evaluations_of_the_flow_stress)
 {
   const JohnsonCook flow{JohnsonCookParameters()};
   const double      three_mu = 3. * ElasticParameters().shear_modulus();

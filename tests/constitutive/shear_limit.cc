@@ -5,7 +5,7 @@
 using namespace asperity;
 using namespace asperity::law_tools;
 
-TEST(ShearLimit, OfJohnsonCookIsItsFlowStressOverTheRootOfThree)
+TEST(ShearLimit, of_johnson_cook_is_its_flow_stress_over_the_root_of_three)
 {
   JohnsonCookParameters p;
   p.A                      = 300e6;
@@ -26,7 +26,7 @@ TEST(ShearLimit, OfJohnsonCookIsItsFlowStressOverTheRootOfThree)
 
 
 
-TEST(ShearLimit, OfVoceDependsOnStrainAlone)
+TEST(ShearLimit, of_voce_depends_on_strain_alone)
 {
   MaterialParameters material;
   material.choose(VoceParameters{450e6, 715e6, 16.93, 129e6});
@@ -38,7 +38,7 @@ TEST(ShearLimit, OfVoceDependsOnStrainAlone)
 
 
 
-TEST(ShearLimit, IsReachedInFlowAndInfiniteForElasticLaws)
+TEST(ShearLimit, is_reached_in_flow_and_infinite_for_elastic_laws)
 {
   // so slow that no law feels the rate
   Tensor<2, 3> F = identity;

@@ -114,7 +114,7 @@ namespace
 
 
 
-TEST(Tangent, EveryBranchOfJohnsonCookAgreesWithFiniteDifferences)
+TEST(Tangent, every_branch_of_johnson_cook_agrees_with_finite_differences)
 {
   const auto law = MaterialParameters().make_law();
   for (const Branch &branch : elastic_branches(*law))
@@ -125,7 +125,7 @@ TEST(Tangent, EveryBranchOfJohnsonCookAgreesWithFiniteDifferences)
 
 
 
-TEST(Tangent, EveryLawAgreesWithFiniteDifferences)
+TEST(Tangent, every_law_agrees_with_finite_differences)
 {
   for (const auto &law : all_laws())
     {
@@ -144,7 +144,7 @@ TEST(Tangent, EveryLawAgreesWithFiniteDifferences)
 
 
 
-TEST(Tangent, IsMajorSymmetric)
+TEST(Tangent, is_major_symmetric)
 {
   for (const auto &law : all_laws())
     {
@@ -167,7 +167,7 @@ TEST(Tangent, IsMajorSymmetric)
 
 
 
-TEST(Tangent, NearlyEqualStretchesJoinTheEqualOnes)
+TEST(Tangent, nearly_equal_stretches_join_the_equal_ones)
 {
   const auto law = MaterialParameters().make_law();
   for (const double split :
@@ -180,7 +180,7 @@ TEST(Tangent, NearlyEqualStretchesJoinTheEqualOnes)
 
 
 
-TEST(Tangent, AtSmallStrainIsHookesLaw)
+TEST(Tangent, at_small_strain_is_hookes_law)
 {
   for (const auto &law : all_laws())
     {

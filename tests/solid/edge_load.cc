@@ -30,7 +30,7 @@ namespace
 
 
 
-TEST(EdgeLoad, FollowerTangentIsTheDerivativeOfItsForce)
+TEST(EdgeLoad, follower_tangent_is_the_derivative_of_its_force)
 {
   for (const auto kinematics :
        {Kinematics::plane_strain, Kinematics::axisymmetric})
@@ -53,7 +53,7 @@ TEST(EdgeLoad, FollowerTangentIsTheDerivativeOfItsForce)
 
 
 
-TEST(EdgeLoad, UniformPressureAllAroundHasNoResultant)
+TEST(EdgeLoad, uniform_pressure_all_around_has_no_resultant)
 {
   const auto   space    = refined_space(3);
   const auto   geometry = PatchGeometry::from_map(*space, bent_rectangle);
@@ -68,7 +68,7 @@ TEST(EdgeLoad, UniformPressureAllAroundHasNoResultant)
 
 
 
-TEST(EdgeLoad, PressureForceIsThatOfTheChordOfTheDeformedEdge)
+TEST(EdgeLoad, pressure_force_is_that_of_the_chord_of_the_deformed_edge)
 {
   // The resultant of a uniform pressure on any curve is that on its chord.
   const auto space    = refined_space(2);
@@ -93,7 +93,7 @@ TEST(EdgeLoad, PressureForceIsThatOfTheChordOfTheDeformedEdge)
 
 
 
-TEST(EdgeLoad, AxialPressureOnARingActsOnItsDeformedArea)
+TEST(EdgeLoad, axial_pressure_on_a_ring_acts_on_its_deformed_area)
 {
   const auto space    = refined_space(2);
   const auto geometry = PatchGeometry::from_map(*space, [](const Point<2> &xi) {
@@ -116,7 +116,7 @@ TEST(EdgeLoad, AxialPressureOnARingActsOnItsDeformedArea)
 
 
 
-TEST(EdgeLoad, DeadTractionSumsToItsIntegralWhateverTheDeformation)
+TEST(EdgeLoad, dead_traction_sums_to_its_integral_whatever_the_deformation)
 {
   const auto space    = refined_space(2);
   const auto geometry = PatchGeometry::from_map(*space, [](const Point<2> &xi) {

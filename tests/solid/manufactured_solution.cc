@@ -174,14 +174,14 @@ namespace
 
 
 
-TEST(ManufacturedSolution, NeoHookeConvergesOptimallyOnACurvedBody)
+TEST(ManufacturedSolution, neo_hooke_converges_optimally_on_a_curved_body)
 {
   expect_optimal_order(false);
 }
 
 
 
-TEST(ManufacturedSolution, NeoHookeConvergesOptimallyOnHierarchicalMeshes)
+TEST(ManufacturedSolution, neo_hooke_converges_optimally_on_hierarchical_meshes)
 {
   expect_optimal_order(true);
 }
