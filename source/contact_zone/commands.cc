@@ -14,6 +14,7 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/timer.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <iostream>
@@ -119,6 +120,38 @@ namespace asperity
         std::cout << "Warning: " << warning << "\n";
     }
 
+    /** That nothing says what is to be computed; nothing if something does. */
+    std::vector<std::string>
+    notes_on_input(const SceneInput &input, const std::string &file)
+    {
+      const auto &entries = input.declarator.entries();
+      if (std::any_of(entries.begin(),
+                      entries.end(),
+                      [](const ParameterEntry &entry) {
+                        return entry.given && entry.subsection != "Output";
+                      }))
+        return {};
+      return {file + " sets no entry of the scene, so that this is the default "
+                     "scene; 'asperity parameters' lists its entries."};
+    }
+
+    /** Keeps the last good state if there is room for it, and says where. */
+    std::string
+    kept_state(const SceneOutput &output,
+               const SlidingRun  &run,
+               const std::string &directory)
+    {
+      try
+        {
+          output.write_checkpoint(run);
+          return " The last good state is in " + directory + "/checkpoint.";
+        }
+      catch (const ComputationError &)
+        {
+          return ""; // the disk that has no room for results has none for it
+        }
+    }
+
     void
     write_parameters(const SceneInput &input)
     {
@@ -175,7 +208,9 @@ namespace asperity
     const SceneAudit  &audit = audited.audit;
     SlidingRun         run(parameters, scene);
 
-    std::vector<std::string> notes = restart(input, run, scene);
+    std::vector<std::string> notes         = notes_on_input(input, file);
+    const auto               restart_notes = restart(input, run, scene);
+    notes.insert(notes.end(), restart_notes.begin(), restart_notes.end());
 
     // Nothing has been written before all of the input is known to be good.
     const OutputFolder folder(parameters.output.directory,
@@ -207,10 +242,8 @@ namespace asperity
       }
     catch (const ComputationError &error)
       {
-        output.write_checkpoint(run);
-        throw ComputationError(std::string(error.what()) +
-                               " The last good state is in " +
-                               parameters.output.directory + "/checkpoint.");
+        throw ComputationError(
+          error.what() + kept_state(output, run, parameters.output.directory));
       }
     const auto warnings = warnings_of_run(audit.warnings, run, parameters);
     notes.insert(notes.end(), warnings.begin(), warnings.end());
@@ -233,8 +266,10 @@ namespace asperity
                 audited.audit,
                 input.parameters.material.heats_itself(),
                 true);
-    for (const std::string &warning : audited.audit.warnings)
-      std::cout << "Warning: " << warning << "\n";
+    for (const auto &list :
+         {notes_on_input(input, file), audited.audit.warnings})
+      for (const std::string &warning : list)
+        std::cout << "Warning: " << warning << "\n";
     std::cout << file << " is valid.\n";
     return 0;
   }

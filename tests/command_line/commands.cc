@@ -70,6 +70,17 @@ TEST_F(Commands, the_reference_of_campaigns_is_the_one_in_the_documentation)
        "doc/campaign_parameters.md";
 }
 
+TEST_F(Commands, an_empty_file_is_said_to_be_the_default_scene)
+{
+  write("empty.prm", "# nothing\n");
+  const std::string note = "empty.prm sets no entry of the scene, so that this "
+                           "is the default scene";
+  EXPECT_NE(run("check empty.prm").output.find(note), std::string::npos);
+  write("load.prm", "subsection Load\n set Pressure = 300 MPa\nend\n");
+  EXPECT_EQ(run("check load.prm").output.find("sets no entry"),
+            std::string::npos);
+}
+
 TEST_F(Commands, wrong_command_lines_are_refused)
 {
   const auto errors = [&](const std::string &arguments) {
