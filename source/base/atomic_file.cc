@@ -4,13 +4,15 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
+#include <sstream>
+#include <system_error>
 
 namespace asperity
 {
@@ -23,27 +25,86 @@ namespace asperity
                              " could not be written: " + reason + ".");
     }
 
-    std::string
-    last_system_error()
+    /** A file of the system that is closed in every case. */
+    class Descriptor
     {
-      return errno != 0 ? std::strerror(errno) : "the stream failed";
+    public:
+      Descriptor(const std::string &path, const int flags)
+        : number(::open(path.c_str(), flags, 0666))
+      {}
+
+      ~Descriptor()
+      {
+        if (number >= 0)
+          ::close(number);
+      }
+
+      Descriptor(const Descriptor &) = delete;
+      Descriptor &
+      operator=(const Descriptor &) = delete;
+
+      /** Some systems tell of a full disk only now. */
+      bool
+      close()
+      {
+        const int status = ::close(number);
+        number           = -1;
+        return status == 0;
+      }
+
+      int number;
+    };
+
+    bool
+    write_all(const int descriptor, const std::string &bytes)
+    {
+      for (std::size_t done = 0; done < bytes.size();)
+        {
+          const auto n =
+            ::write(descriptor, bytes.data() + done, bytes.size() - done);
+          if (n < 0 && errno != EINTR)
+            return false;
+          done += std::max<ssize_t>(n, 0);
+        }
+      return true;
     }
 
     /** Waits until the content of a file or folder has reached the disk. */
-    void
-    flush_to_disk(const std::string &path)
+    bool
+    flush_to_disk(const int descriptor)
     {
-      const int descriptor = ::open(path.c_str(), O_RDONLY);
-      if (descriptor < 0)
-        fail(path, last_system_error());
-      const int status = ::fsync(descriptor);
-      const int error  = errno;
-      ::close(descriptor);
       // Some network file systems cannot flush a folder; that is no failure.
-      if (status != 0 && error != EINVAL)
-        fail(path, std::strerror(error));
+      return ::fsync(descriptor) == 0 || errno == EINVAL;
+    }
+
+    void
+    write_file(const std::string &path,
+               const std::string &bytes,
+               const Durability   durability)
+    {
+      Descriptor file(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC);
+      const bool done =
+        file.number >= 0 && write_all(file.number, bytes) &&
+        (durability == Durability::process || flush_to_disk(file.number)) &&
+        file.close();
+      if (!done)
+        throw std::system_error(errno, std::generic_category());
     }
   } // namespace
+
+
+
+  std::string
+  reason_of_failure(const int error_number)
+  {
+    std::string reason = std::generic_category().message(error_number);
+    // "No space left on device" inside of a sentence, but "I/O error".
+    if (reason.size() > 1 &&
+        std::islower(static_cast<unsigned char>(reason[1])))
+      reason[0] =
+        static_cast<char>(std::tolower(static_cast<unsigned char>(reason[0])));
+    return error_number == 0 ? "the stream failed" : reason;
+  }
 
 
 
@@ -53,39 +114,36 @@ namespace asperity
                    const Durability                           durability)
   {
     namespace fs = std::filesystem;
+    // In memory first: a stream into a file would forget why it has failed.
+    std::ostringstream content;
+    write(content);
+
     const fs::path folder =
       fs::path(path).has_parent_path() ? fs::path(path).parent_path() : ".";
     std::error_code error;
     fs::create_directories(folder, error);
     if (error)
-      fail(path, error.message());
+      fail(path, reason_of_failure(error.value()));
 
     // The process number keeps two runs into one folder apart.
     const std::string temporary =
       path + ".tmp" + std::to_string(static_cast<long>(::getpid()));
     try
       {
-        errno = 0;
-        std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
-        if (!out)
-          fail(path, last_system_error());
-        write(out);
-        out.close();
-        if (!out)
-          fail(path, last_system_error());
+        write_file(temporary, content.str(), durability);
+        fs::rename(temporary, path);
         if (durability == Durability::machine)
-          flush_to_disk(temporary);
-        fs::rename(temporary, path, error);
-        if (error)
-          fail(path, error.message());
-        if (durability == Durability::machine)
-          flush_to_disk(folder.string());
+          {
+            const Descriptor opened(folder.string(), O_RDONLY | O_CLOEXEC);
+            if (opened.number < 0 || !flush_to_disk(opened.number))
+              throw std::system_error(errno, std::generic_category());
+          }
       }
-    catch (...)
+    catch (const std::system_error &failure)
       {
         std::error_code ignored;
         fs::remove(temporary, ignored);
-        throw;
+        fail(path, reason_of_failure(failure.code().value()));
       }
   }
 

@@ -2,6 +2,7 @@
 #include <asperity/base/errors.h>
 #include <asperity/postprocess/table.h>
 
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
 
@@ -36,10 +37,12 @@ namespace asperity
                const std::string &path)
     {
       // One write and one flush a row: a kill cannot split older rows.
+      errno = 0;
       out << line << std::flush;
       if (!out)
-        throw ComputationError("The table " + path +
-                               " could not be extended; is the disk full?");
+        throw ComputationError(
+          "The table " + path +
+          " could not be extended: " + reason_of_failure(errno) + ".");
     }
   } // namespace
 

@@ -1,3 +1,4 @@
+#include <asperity/base/atomic_file.h>
 #include <asperity/base/errors.h>
 #include <asperity/base/parameters.h>
 #include <asperity/topography/commands.h>
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <sstream>
 
@@ -21,10 +21,8 @@ namespace asperity
     void
     write_file(const std::filesystem::path &path, const std::string &content)
     {
-      std::ofstream out(path, std::ios::binary);
-      out << content;
-      if (!out.flush())
-        throw InputError("The file '" + path.string() + "' cannot be written.");
+      write_atomically(path.string(),
+                       [&content](std::ostream &out) { out << content; });
     }
 
     /** Whether a text has a line of a parameter file. */

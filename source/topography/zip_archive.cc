@@ -1,3 +1,4 @@
+#include <asperity/base/atomic_file.h>
 #include <asperity/base/errors.h>
 #include <asperity/topography/zip_archive.h>
 
@@ -5,6 +6,7 @@
 #include <minizip/zip.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstring>
 
 namespace asperity
@@ -162,6 +164,7 @@ namespace asperity
   write_zip(const std::string                                      &file,
             const std::vector<std::pair<std::string, std::string>> &entries)
   {
+    errno                 = 0;
     const zipFile archive = zipOpen64(file.c_str(), APPEND_STATUS_CREATE);
     bool          good    = archive != nullptr;
     for (const auto &[name, bytes] : entries)
@@ -193,6 +196,7 @@ namespace asperity
     if (archive != nullptr)
       good = zipClose(archive, nullptr) == ZIP_OK && good;
     if (!good)
-      throw InputError("The file '" + file + "' cannot be written.");
+      throw ComputationError("The file " + file + " could not be written: " +
+                             reason_of_failure(errno) + ".");
   }
 } // namespace asperity

@@ -1,6 +1,10 @@
 #include <asperity/base/atomic_file.h>
 #include <asperity/base/errors.h>
 
+#include <sys/resource.h>
+
+#include <cerrno>
+#include <csignal>
 #include <cstdlib>
 
 #include "../files.h"
@@ -32,6 +36,35 @@ TEST(AtomicFile, a_path_that_cannot_be_written_is_named)
   const std::string message = message_of<ComputationError>(
     [&]() { write_atomically(folder + "/file/below", [](std::ostream &) {}); });
   EXPECT_NE(message.find(folder + "/file/below"), std::string::npos);
+}
+
+
+
+TEST(AtomicFile, names_the_file_and_the_reason_when_a_write_fails)
+{
+  // A limit on the size of files stands for a disk that is full.
+  const std::string folder = test_folder(), path = folder + "/file";
+  rlimit            before;
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto   old_handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit limit       = {1000, before.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &limit), 0);
+  const std::string message = message_of<ComputationError>([&]() {
+    write_atomically(path,
+                     [](std::ostream &out) { out << std::string(2000, 'x'); });
+  });
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, old_handler);
+  EXPECT_EQ(message,
+            "The file " + path + " could not be written: file too large.");
+  EXPECT_EQ(n_files(folder), 0u) << "no part of it is left";
+}
+
+
+
+TEST(AtomicFile, reasons_stand_inside_of_a_sentence)
+{
+  EXPECT_EQ(reason_of_failure(ENOSPC), "no space left on device");
 }
 
 

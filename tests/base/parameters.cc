@@ -178,7 +178,7 @@ TEST(Parameters, long_lines_are_shown_in_part)
             "x.prm, line 1: There is no entry '" + x.substr(0, 57) +
               "...' at the top level; 'asperity parameters' lists all "
               "entries.");
-  for (const std::string text :
+  for (const std::string &text :
        {x,
         "subsection Mesh\nset Spans = " + x + "\nend",
         "subsection Mesh\nset Heights = " + x + "\nend",

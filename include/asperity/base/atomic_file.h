@@ -17,16 +17,23 @@ namespace asperity
 
   /**
    * Writes a file so that a reader, or a restart after a kill, sees either the
-   * old content or the new one and never a part: `write` fills a temporary file
-   * in the same folder, which is then renamed. Missing folders are made.
+   * old content or the new one and never a part: what `write` writes goes to a
+   * temporary file in the same folder, which is then renamed. Missing folders
+   * are made.
    *
-   * @throws ComputationError if the folder or file cannot be written; what
-   *   `write` throws is passed on, with the temporary file removed.
+   * @throws ComputationError naming the file and the reason ("no space left on
+   *   device") if it cannot be written; what `write` throws is passed on, and
+   *   nothing is written
    */
   void
   write_atomically(const std::string                         &path,
                    const std::function<void(std::ostream &)> &write,
                    const Durability durability = Durability::process);
+
+  /** What an error number of the system means, as the end of a sentence: "no
+   *  space left on device". */
+  std::string
+  reason_of_failure(const int error_number);
 
   /**
    * The shortest decimal that reads back as the same double; whole numbers
