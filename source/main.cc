@@ -177,7 +177,11 @@ main(int argc, char **argv)
   use_one_thread_per_rank();
   try
     {
-      return dispatch(Arguments(argv + 1, argv + argc), argv);
+      const int status = dispatch(Arguments(argv + 1, argv + argc), argv);
+      if (!std::cout.flush())
+        throw ComputationError("The standard output could not be written; is "
+                               "the disk full?");
+      return status;
     }
   catch (const InputError &error)
     {

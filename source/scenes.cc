@@ -140,7 +140,11 @@ main(int argc, char **argv)
   const MpiSession mpi(argc, argv);
   try
     {
-      return dispatch(Arguments(argv + 1, argv + argc));
+      const int status = dispatch(Arguments(argv + 1, argv + argc));
+      if (!std::cout.flush())
+        throw ComputationError("The standard output could not be written; is "
+                               "the disk full?");
+      return status;
     }
   catch (const InputError &error)
     {

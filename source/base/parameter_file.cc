@@ -17,10 +17,11 @@ namespace asperity
 
     constexpr std::uintmax_t largest_file    = 1 << 24; // bytes
     constexpr std::size_t    deepest_include = 50;
+    constexpr std::size_t    most_files      = 1000;
 
     /**
      * The line without its comment. A '#' begins one at the start of a line and
-     * after a blank; elsewhere it belongs to a word, as in a folder's name.
+     * after a blank; elsewhere it may belong to a word, as in a folder's name.
      */
     std::string
     without_comment(const std::string &line)
@@ -30,6 +31,23 @@ namespace asperity
         if (at == 0 || std::isspace(static_cast<unsigned char>(line[at - 1])))
           return line.substr(0, at);
       return line;
+    }
+
+    /** The next line, however it ends: as on Unix, Windows or old Macs. */
+    bool
+    next_line(std::istream &input, std::string &line)
+    {
+      line.clear();
+      for (int c = input.get(); c != std::istream::traits_type::eof();
+           c     = input.get())
+        {
+              if (c == '\r' && input.peek() == '\n')
+            input.get();
+          if (c == '\r' || c == '\n')
+            return true;
+          line += static_cast<char>(c);
+        }
+      return !line.empty();
     }
 
     class Reader
@@ -60,6 +78,9 @@ namespace asperity
                            "' is included by " +
                            std::to_string(deepest_include) +
                            " files inside of each other; fewer are expected.");
+        if (++n_files > most_files)
+          throw InputError(prefix + "More than " + std::to_string(most_files) +
+                           " files are included; fewer are expected.");
         std::ifstream input(file_name);
         if (!input)
           throw InputError(prefix + "The parameter file '" + file_name +
@@ -79,7 +100,7 @@ namespace asperity
       {
         File        file{name, 0, 0, {}, {}};
         std::string line, joined;
-        while (std::getline(input, line))
+        while (next_line(input, line))
           {
             ++file.line;
             if (joined.empty())
@@ -144,7 +165,13 @@ namespace asperity
         const std::string word  = line.substr(0, blank);
         const std::string rest =
           blank == std::string::npos ? "" : trim(line.substr(blank));
-        if (word == "subsection" || word == "SUBSECTION")
+        if (word == "set" || word == "SET")
+          set(rest, file);
+        else if (word == "include" || word == "INCLUDE")
+          include(rest, file);
+        else if (line.find('#') != std::string::npos)
+          interpret(trim(line.substr(0, line.find('#'))), file); // end#comment
+        else if (word == "subsection" || word == "SUBSECTION")
           {
             if (rest.empty())
               throw InputError(file.origin() + ": The subsection has no name.");
@@ -157,10 +184,6 @@ namespace asperity
                                ": This 'end' closes no subsection.");
             file.subsections.pop_back();
           }
-        else if (word == "set" || word == "SET")
-          set(rest, file);
-        else if (word == "include" || word == "INCLUDE")
-          include(rest, file);
         else
           // Without its words: who names a wrong file need not see into it.
           throw InputError(file.origin() +
@@ -206,6 +229,7 @@ namespace asperity
       }
 
       std::vector<fs::path> open_files;
+      std::size_t           n_files = 0;
     };
   } // namespace
 

@@ -98,6 +98,9 @@ namespace asperity
         ParameterEntry &entry =
           find(line.subsections, line.key, line.origin() + ": ");
         std::string value = line.value;
+        // No number or choice has a '#' in it: there it starts a comment.
+        if (entry.kind != "text" && !entry.is_file)
+          value = trim(value.substr(0, value.find('#')));
         if (entry.is_file && !value.empty())
           value = (std::filesystem::path(line.file).parent_path() / value)
                     .lexically_normal()

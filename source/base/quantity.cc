@@ -126,11 +126,20 @@ namespace asperity
       replace_all(unit, "\u00b5", "u"); // micro sign
       replace_all(unit, "\u03bc", "u"); // Greek mu
       replace_all(unit, "\u00b0", "deg");
+      replace_all(unit, "\u00ba", "deg"); // ordinal, taken for the degree sign
+      replace_all(unit, "\u2103", "degC");
+      replace_all(unit, "\u2109", "degF");
       replace_all(unit, "\u00b2", "2");
       replace_all(unit, "\u00b3", "3");
       replace_all(unit, "^", "");
       replace_all(unit, "*", " ");
       replace_all(unit, "\u00b7", " "); // middle dot
+      replace_all(unit, "\u22c5", " "); // dot operator
+      // What is left of the upper half are the bytes of Latin-1.
+      replace_all(unit, "\xb5", "u");
+      replace_all(unit, "\xb0", "deg");
+      replace_all(unit, "\xb2", "2");
+      replace_all(unit, "\xb3", "3");
       for (const std::string quotient : {"J/kg/K", "W/m/K", "W/m2/K"})
         if (unit == quotient)
           unit =
@@ -166,7 +175,18 @@ namespace asperity
              join(accepted_units(dimension), ", ");
     }
 
-    /** How many characters of the text are a number; 0 if it has none. */
+    /** The blanks and the minus sign of typeset text in their plain form. */
+    std::string
+    plain_number(std::string text)
+    {
+      for (const char *const blank : {"\u00a0", "\u2007", "\u2009", "\u202f"})
+        replace_all(text, blank, " ");
+      replace_all(text, "\u2212", "-");
+      return trim(text);
+    }
+
+    /** How many characters of the text are a number; 0 if it has none. Zero has
+     *  no sign. */
     std::size_t
     read_number(const std::string &text, double &value)
     {
@@ -174,8 +194,14 @@ namespace asperity
       const std::size_t begin = (!text.empty() && text[0] == '+') ? 1 : 0;
       const auto        result =
         std::from_chars(text.data() + begin, text.data() + text.size(), value);
+      if (result.ec == std::errc::result_out_of_range)
+        throw InputError(quoted(text) +
+                         " holds a number that the program cannot; one "
+                         "between 2.3e-308 and 1.7e308 in size is expected");
       if (result.ec != std::errc() || !std::isfinite(value))
         return 0;
+      if (value == 0.)
+        value = 0.;
       return result.ptr - text.data();
     }
 
@@ -268,7 +294,7 @@ namespace asperity
   double
   parse_quantity(const std::string &text, const Dimension dimension)
   {
-    const std::string trimmed   = trim(text);
+    const std::string trimmed   = plain_number(text);
     double            value     = 0;
     const std::size_t n         = read_number(trimmed, value);
     const std::string unit_name = trim(trimmed.substr(n));
@@ -334,7 +360,7 @@ namespace asperity
   double
   parse_number(const std::string &text)
   {
-    const std::string trimmed = trim(text);
+    const std::string trimmed = plain_number(text);
     double            value   = 0;
     const std::size_t n       = read_number(trimmed, value);
     if (n != 0 && begins_with_decimal_comma(trimmed.substr(n)))

@@ -146,4 +146,27 @@ namespace asperity
       require_positive(law.modulus_derivative, "bulk modulus slope", "1");
     LubricantViscosity{viscosity}; // its constructor checks
   }
+
+
+
+  void
+  LubricantParameters::check(const ParameterDeclarator &parameters) const
+  {
+    const ViscosityParameters &p = viscosity;
+    if (p.shear_law == ShearLaw::carreau &&
+        p.infinite_shear_viscosity > p.viscosity)
+      throw InputError(
+        parameters.where("Lubricant/Carreau/Infinite shear viscosity") +
+        ": found " + format_quantity(p.infinite_shear_viscosity, "Pa s") +
+        "; expected at most the viscosity at rest, " +
+        format_quantity(p.viscosity, "Pa s") + ".");
+    if (p.pressure_law == PressureLaw::roelands &&
+        p.viscosity <= LubricantViscosity::roelands_viscosity)
+      throw InputError(
+        parameters.where("Lubricant/Viscosity") + ": found " +
+        format_quantity(p.viscosity, "Pa s") + "; expected more than " +
+        format_quantity(LubricantViscosity::roelands_viscosity, "Pa s") +
+        " for the law of Roelands.");
+    check();
+  }
 } // namespace asperity

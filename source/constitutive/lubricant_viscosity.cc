@@ -10,8 +10,7 @@ namespace asperity
 {
   namespace
   {
-    constexpr double roelands_viscosity = 6.31e-5; // eta_R [Pa s]
-    constexpr double roelands_pressure  = 196.2e6; // p_R [Pa]
+    constexpr double roelands_pressure = 196.2e6; // p_R [Pa]
 
     void
     require(const bool         condition,
@@ -80,9 +79,10 @@ namespace asperity
         return {0., 0.};
       if (p.pressure_law == PressureLaw::barus)
         return {p.pressure_coefficient * pressure, p.pressure_coefficient};
-      const double log_ratio = std::log(p.viscosity / roelands_viscosity);
-      const double base      = 1. + pressure / roelands_pressure;
-      const double power     = std::pow(base, p.roelands_exponent);
+      const double log_ratio =
+        std::log(p.viscosity / LubricantViscosity::roelands_viscosity);
+      const double base  = 1. + pressure / roelands_pressure;
+      const double power = std::pow(base, p.roelands_exponent);
       return {log_ratio * (power - 1.),
               log_ratio * p.roelands_exponent * power /
                 (base * roelands_pressure)};

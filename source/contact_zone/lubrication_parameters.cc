@@ -124,6 +124,6 @@ namespace asperity
                        name(model) +
                        "` fills the void with oil; expected 1, or the model "
                        "`pocket` or `Reynolds`.");
-    oil.check();
+    oil.check(parameters);
   }
 } // namespace asperity

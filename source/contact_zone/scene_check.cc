@@ -97,6 +97,10 @@ namespace asperity
   void
   SceneParameters::check(const ParameterDeclarator &parameters) const
   {
+    if (output.directory.empty())
+      throw InputError(parameters.where("Output/Output directory") +
+                       ": found nothing; expected a folder, such as '.' for "
+                       "the current one.");
     tool.check(parameters, "Tool");
     chip.check(parameters, "Chip surface");
     lubrication.check(parameters);

@@ -90,6 +90,10 @@ namespace asperity
         parameters.declare(declarator);
       }
       declarator.read_file(prm_file);
+      if (directory.empty())
+        throw InputError(declarator.where("Output directory") +
+                         ": found nothing; expected a folder, such as '.' for "
+                         "the current one.");
     }
   } // namespace
 

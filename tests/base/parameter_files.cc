@@ -146,3 +146,34 @@ TEST_F(ParameterFiles, only_files_of_a_sensible_size_are_read)
               "' is too large for a parameter file; at "
               "most 16 MB are expected.");
 }
+
+TEST_F(ParameterFiles, floods_of_included_files_end)
+{
+  // 2^12 of them without a limit
+  for (unsigned int i = 0; i < 12; ++i)
+    {
+      const std::string next = "include " + std::to_string(i + 1) + ".prm\n";
+      write(std::to_string(i) + ".prm", next + next);
+    }
+  write("12.prm", "");
+  EXPECT_NE(message_of((folder / "0.prm").string())
+              .find("More than 1000 files are included; fewer are expected."),
+            std::string::npos);
+}
+
+TEST_F(ParameterFiles, lines_may_end_as_on_other_systems)
+{
+  for (const std::string end : {"\n", "\r\n", "\r"})
+    {
+      const std::string file =
+        write("main.prm",
+              "# scene" + end + end + "set Title = steel" + end +
+                "subsection Mesh" + end + "set Spans = 40" + end + "end");
+      Declared declared;
+      declared.parameters.read_file(file);
+      EXPECT_EQ(declared.sample.title, "steel");
+      EXPECT_EQ(declared.sample.spans, 40u);
+      EXPECT_EQ(declared.parameters.where("Title"),
+                file + ", line 3, entry 'Title'");
+    }
+}

@@ -304,3 +304,14 @@ TEST(Parameters, the_reference_holds_default_range_and_meaning)
         "density. |\n"})
     EXPECT_NE(reference.find(line), std::string::npos) << line << reference;
 }
+
+TEST(Parameters, a_comment_may_follow_a_number_or_a_word_without_a_blank)
+{
+  Declared declared;
+  declared.parameters.read_text("set Title = a#1/b # comment\n"
+                                "subsection Mesh# comment\n"
+                                "set Spans = 40# comment\nend# comment\n",
+                                "x.prm");
+  EXPECT_EQ(declared.sample.title, "a#1/b");
+  EXPECT_EQ(declared.sample.spans, 40u);
+}

@@ -59,6 +59,15 @@ TEST(Quantity, other_spellings_of_a_unit_are_understood)
   EXPECT_EQ(parse_quantity("1 J/kg/K", Dimension::specific_heat), 1.);
   EXPECT_EQ(parse_quantity("1 J/(kg*K)", Dimension::specific_heat), 1.);
   EXPECT_EQ(parse_quantity("1 Pa*s", Dimension::viscosity), 1.);
+  // the degree sign of its own, Latin-1, and blanks and signs of typeset text
+  EXPECT_EQ(parse_quantity("25 \u2103", Dimension::temperature), 298.15);
+  EXPECT_EQ(parse_quantity("25 \xb0"
+                           "C",
+                           Dimension::temperature),
+            298.15);
+  EXPECT_EQ(parse_quantity("10 \xb5m", Dimension::length), 1e-5);
+  EXPECT_EQ(parse_quantity("300\u00a0MPa", Dimension::stress), 3e8);
+  EXPECT_EQ(parse_quantity("\u22123\u202fMPa", Dimension::stress), -3e6);
 }
 
 TEST(Quantity, every_unit_converts_there_and_back)
@@ -127,4 +136,19 @@ TEST(Quantity, what_is_not_a_finite_number_is_refused)
     EXPECT_THROW(parse_quantity(text, Dimension::stress), InputError) << text;
   EXPECT_THROW(parse_number("12a"), InputError);
   EXPECT_THROW(parse_number(""), InputError);
+}
+
+TEST(Quantity, numbers_beyond_those_of_the_program_are_named_as_such)
+{
+  for (const std::string text : {"1e400 MPa", "-1e400 MPa", "1e-400 MPa"})
+    EXPECT_EQ(message_of(text, Dimension::stress),
+              "'" + text +
+                "' holds a number that the program cannot; one between "
+                "2.3e-308 and 1.7e308 in size is expected");
+}
+
+TEST(Quantity, zero_has_no_sign)
+{
+  EXPECT_FALSE(std::signbit(parse_quantity("-0 um", Dimension::length)));
+  EXPECT_FALSE(std::signbit(parse_number("-0.0")));
 }

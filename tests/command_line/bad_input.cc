@@ -268,3 +268,37 @@ TEST_F(BadInput, oil_of_negative_stiffness)
             "Error: scene.prm, line 2, entry 'Lubricant/Bulk modulus': '-1.6 "
             "GPa' is out of range; 0.001 GPa to 1000 GPa is expected.\n");
 }
+
+TEST_F(BadInput, output_directory_without_a_name)
+{
+  const std::string reason = "Output directory': found nothing; expected a "
+                             "folder, such as '.' for the current one.\n";
+  EXPECT_EQ(refusal(in("Output", "set Output directory =")),
+            "Error: scene.prm, line 2, entry 'Output/" + reason);
+  write("map.csv", "1 2\n3 4\n");
+  write("surface.prm",
+        "set Output directory =\n" + in("Topography", "set File = map.csv"));
+  EXPECT_EQ(run("topography surface.prm").errors,
+            "Error: surface.prm, line 1, entry '" + reason);
+}
+
+TEST_F(BadInput, oil_that_thickens_with_the_shear_rate)
+{
+  EXPECT_EQ(refusal("subsection Lubrication\n set Model = Reynolds\nend\n"
+                    "subsection Lubricant\n set Viscosity = 0.2 Pa s\n"
+                    " set Shear law = Carreau\n subsection Carreau\n"
+                    "  set Infinite shear viscosity = 5 Pa s\n end\nend\n"),
+            "Error: scene.prm, line 8, entry 'Lubricant/Carreau/Infinite shear "
+            "viscosity': found 5 Pa s; expected at most the viscosity at rest, "
+            "0.2 Pa s.\n");
+}
+
+TEST_F(BadInput, oil_too_thin_for_the_law_of_roelands)
+{
+  EXPECT_EQ(
+    refusal("subsection Lubrication\n set Model = Reynolds\nend\n"
+            "subsection Lubricant\n set Viscosity = 5e-5 Pa s\n"
+            " set Pressure law = Roelands\nend\n"),
+    "Error: scene.prm, line 5, entry 'Lubricant/Viscosity': found 5e-05 "
+    "Pa s; expected more than 6.31e-05 Pa s for the law of Roelands.\n");
+}

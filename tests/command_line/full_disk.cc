@@ -54,3 +54,18 @@ TEST_F(FullDisk, pictures_that_cannot_be_written_are_named_with_the_reason)
   EXPECT_LT(result.errors.size(), 200u);
   EXPECT_FALSE(std::filesystem::exists(folder / "results/chip_000002.vtu"));
 }
+
+TEST_F(FullDisk, what_cannot_be_printed_is_a_failure)
+{
+  for (const std::string arguments : {"--help", "parameters"})
+    {
+      const std::string command = "'" ASPERITY_PROGRAM "' " + arguments +
+                                  " >/dev/full 2>'" +
+                                  (folder / "errors.txt").string() + "'";
+      const int status = std::system(command.c_str());
+      EXPECT_EQ(WEXITSTATUS(status), 1) << arguments;
+      EXPECT_EQ(read("errors.txt"),
+                "Error: The standard output could not be written; is the disk "
+                "full?\n");
+    }
+}

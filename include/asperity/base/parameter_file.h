@@ -27,17 +27,27 @@ namespace asperity
 
   /**
    * Reads a file in the format of dealii::ParameterHandler (`subsection`,
-   * `set`, `end`, `include`, comments after `#`, continuation by a trailing
-   * backslash) without knowing which entries exist, and keeps file and line of
-   * each, which deal.II's own parser does not. An included file is searched
-   * relative to the file that includes it. Throws InputError for what is not
-   * such a line, for an entry set twice in one file, and for files that include
-   * themselves.
+   * `set`, `end`, `include`, continuation by a trailing backslash) without
+   * knowing which entries exist, and keeps file and line of each, which
+   * deal.II's own parser does not. An included file is searched relative to the
+   * file that includes it.
+   *
+   * Comments start with a `#` at the start of a line or after a blank. One
+   * inside of a word belongs to the value or the file that is named, `set
+   * Output directory = C#1`; only where neither can hold it, as in `end#`, it
+   * starts a comment, too. Text is UTF-8, with or without a byte-order mark;
+   * lines end as on Unix, Windows or an old Macintosh.
+   *
+   * @throws InputError for what is not such a line, for an entry set twice in
+   *   one file, for files that include themselves or too many others, and for
+   *   what is no readable text file of a sensible size; lines are not repeated,
+   *   as the file may be anybody's
    */
   std::vector<ParameterLine>
   read_parameter_lines(const std::string &file_name);
 
-  /** The same from a stream; @p name stands for the file in messages. */
+  /** The same from a stream; @p name stands for the file in messages.
+   *  @throws InputError */
   std::vector<ParameterLine>
   read_parameter_lines(std::istream &input, const std::string &name);
 } // namespace asperity

@@ -28,6 +28,10 @@ namespace asperity
      *  meaning */
     void
     check() const;
+
+    /** The same; relations between entries are refused with their place. */
+    void
+    check(const ParameterDeclarator &parameters) const;
   };
 } // namespace asperity
 

@@ -81,6 +81,9 @@ namespace asperity
      *  No law is followed beyond it, so that nothing overflows. */
     static constexpr double glass_viscosity = 1e12;
 
+    /** eta_R of Roelands [Pa s]; the viscosity at rest must lie above it. */
+    static constexpr double roelands_viscosity = 6.31e-5;
+
     /** @throws InputError if a constant of the chosen laws has no physical
      *  meaning */
     explicit LubricantViscosity(const ViscosityParameters &parameters);
