@@ -113,6 +113,10 @@ namespace asperity
    * @endcode
    * The variables must outlive the declarator. A sentence is one or more
    * sentences in plain English; choices state what each of them does.
+   *
+   * Every declaring function throws std::logic_error if the entry is declared
+   * twice or its default is no value that it accepts: mistakes of the
+   * programmer.
    */
   class ParameterDeclarator
   {
@@ -227,29 +231,35 @@ namespace asperity
          const std::string   &sentence);
 
     /**
-     * Reads a parameter file in deal.II's format, strictly: unknown entries,
-     * wrong values and missing mandatory entries throw InputError with one
-     * sentence. A line `include other.prm` (relative to the including file)
-     * may stand at the top level; later lines override what it sets.
+     * Reads a parameter file in deal.II's format, strictly. A line `include
+     * other.prm` (relative to the including file) may stand at the top level;
+     * later lines override what it sets.
+     *
+     * @throws InputError with one sentence for unknown entries, wrong values
+     * and missing mandatory entries, and as read_parameter_lines()
      */
     void
     read_file(const std::string &file_name);
 
-    /** As read_file(); @p name is how messages call the text. */
+    /** As read_file(); @p name is how messages call the text.
+     *  @throws InputError as read_file() */
     void
     read_text(const std::string &text, const std::string &name);
 
-    /** Sets one entry by its path, "Load/Pressure". */
+    /** Sets one entry by its path, "Load/Pressure".
+     *  @throws InputError if there is none, or for a wrong value */
     void
     set(const std::string &path, const std::string &text);
 
-    /** The current text of an entry. */
+    /** The current text of an entry. @throws InputError if there is none */
     std::string
     get(const std::string &path) const;
 
     /**
      * "name.prm, line 7, entry 'Load/Pressure'" for messages about relations
      * between entries; names only the entry if no file has given it.
+     *
+     * @throws InputError if there is no such entry
      */
     std::string
     where(const std::string &path) const;

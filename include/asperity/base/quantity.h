@@ -41,24 +41,30 @@ namespace asperity
 
   /**
    * The dimension of a unit ("MPa" -> stress, "1" -> none). Each unit belongs
-   * to one dimension. Throws InputError if the unit is unknown.
+   * to one dimension.
+   *
+   * @throws InputError with a half sentence if the unit is unknown
    */
   Dimension
   dimension_of(const std::string &unit);
 
-  /** Converts a value in the given unit to SI (675 degC -> 948.15 K). */
+  /** Converts a value in the given unit to SI (675 degC -> 948.15 K).
+   *  @throws InputError as dimension_of() */
   double
   to_si(const double value, const std::string &unit);
 
-  /** Converts an SI value to the given unit. */
+  /** Converts an SI value to the given unit.
+   *  @throws InputError as dimension_of() */
   double
   from_si(const double value, const std::string &unit);
 
   /**
    * Reads a number with a unit ("1.3 GPa", "22.5 m/min", "0.25us") and returns
    * its SI value. Only a quantity of dimension `none` may stand without a unit.
-   * Throws InputError with a half sentence (no file, no entry: the caller knows
-   * them) that says what was found and lists the units accepted.
+   * Decimals follow a point, and zero has no sign.
+   *
+   * @throws InputError with a half sentence (no file, no entry: the caller
+   * knows them) that says what was found and lists the units accepted
    */
   double
   parse_quantity(const std::string &text, const Dimension dimension);
@@ -66,19 +72,24 @@ namespace asperity
   /**
    * Writes an SI value in a unit with the fewest digits that parse_quantity()
    * reads back as the same double (up to 17): 3e8, "MPa" -> "300 MPa".
+   *
+   * @throws InputError as dimension_of()
    */
   std::string
   format_quantity(const double value, const std::string &unit);
 
-  /** The same with a fixed number of significant digits, for people to read. */
+  /** The same with a fixed number of significant digits, for people to read.
+   *  @throws InputError as dimension_of() */
   std::string
   format_quantity(const double       value,
                   const std::string &unit,
                   const unsigned int digits);
 
   /**
-   * Reads a plain number; independent of the locale. Throws InputError with a
-   * half sentence if the text is anything else or not finite.
+   * Reads a plain number; independent of the locale.
+   *
+   * @throws InputError with a half sentence if the text is anything else or not
+   *   finite
    */
   double
   parse_number(const std::string &text);
