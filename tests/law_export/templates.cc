@@ -130,20 +130,11 @@ TEST(Templates, user_subroutines_compile_as_they_stand)
                templates + name + "'");
 }
 
-// An input beside p, v and T as an argument of C and Fortran.
-TEST(ExportedSource, takes_further_inputs_as_arguments)
+// Drivers of a law with one input beside p, v and T: they read points and print
+// mu, its four derivatives, inside, deviation and trusted.
+namespace
 {
-  if (!has_program("gcc") || !has_program("gfortran"))
-    GTEST_SKIP() << "gcc or gfortran was not found";
-  LawKind kind;
-  kind.has_wetting          = true;
-  const FrictionLaw     law = train(kind, 60);
-  const Folder          folder;
-  const ContactPointLaw stated(law, {{"Wetting", 0.35}});
-  folder.write("tribmu.h", c_header(stated));
-  folder.write("tribmu.c", c_source(stated, true));
-  folder.write("tribmu.f", fortran_source(stated, true));
-  folder.write("driver.c", R"(
+  const char *const further_c_driver = R"(
 #include "tribmu.h"
 #include <stdio.h>
 int main(void)
@@ -159,8 +150,9 @@ int main(void)
     }
   return 0;
 }
-)");
-  folder.write("driver.f", R"(
+)";
+
+  const char *const further_fortran_driver = R"(
       PROGRAM DRIVER
       IMPLICIT NONE
       INTEGER I,J
@@ -171,17 +163,69 @@ int main(void)
       WRITE(*,'(1P,5E26.17E3,I3,E26.17E3,I3)') XMU,D,I,SIGMA,J
       GOTO 10
    20 END
-)");
-  std::vector<std::vector<double>> all;
-  std::string                      text;
-  for (std::size_t j = 0; j < 50; ++j)
+)";
+
+  /** Points p, v, T and wetting, which goes a little beyond its range. */
+  std::vector<std::vector<double>>
+  points_with_wetting(const std::size_t n)
+  {
+    std::vector<std::vector<double>> points;
+    for (std::size_t j = 0; j < n; ++j)
+      {
+        const std::vector<double> u = evenly_spread_point(j + 300, 4);
+        points.push_back({3e8 + 1e9 * u[0],
+                          0.375 + (10. / 3. - 0.375) * u[1],
+                          298.15 + 875. * u[2],
+                          1.2 * u[3]});
+      }
+    return points;
+  }
+
+  /** A row of a driver against the law, whose own order has the wetting behind
+   *  the pressure. */
+  void
+  expect_answer(const std::vector<double> &row,
+                const std::vector<double> &point,
+                const FrictionLaw         &law)
+  {
+    const std::vector<double> x  = {point[0], point[3], point[1], point[2]};
+    const LawPrediction       at = law.predict(x.data());
+    EXPECT_NEAR(row[0], at.mean, 1e-11 * at.mean);
+    const double gradient[] = {at.gradient[0],
+                               at.gradient[2],
+                               at.gradient[3],
+                               at.gradient[1]};
+    for (unsigned int c = 0; c < 4; ++c)
+      {
+        const double scale = c < 3 ? derivative_scale(at.mean, c) : at.mean;
+        EXPECT_NEAR(row[1 + c],
+                    gradient[c],
+                    1e-9 * (std::abs(gradient[c]) + scale));
+      }
+    EXPECT_EQ(row[5] == 1., law.is_inside(x.data()));
+    EXPECT_NEAR(row[6], at.deviation, 1e-10 * at.mean);
+  }
+} // namespace
+
+TEST(ExportedSource, takes_further_inputs_as_arguments)
+{
+  if (!has_program("gcc") || !has_program("gfortran"))
+    GTEST_SKIP() << "gcc or gfortran was not found";
+  LawKind kind;
+  kind.has_wetting          = true;
+  const FrictionLaw     law = train(kind, 60);
+  const Folder          folder;
+  const ContactPointLaw stated(law, {{"Wetting", 0.35}});
+  folder.write("tribmu.h", c_header(stated));
+  folder.write("tribmu.c", c_source(stated, true));
+  folder.write("tribmu.f", fortran_source(stated, true));
+  folder.write("driver.c", further_c_driver);
+  folder.write("driver.f", further_fortran_driver);
+  const auto  points = points_with_wetting(50);
+  std::string text;
+  for (const auto &point : points)
     {
-      const std::vector<double> u = evenly_spread_point(j + 300, 4);
-      all.push_back({3e8 + 1e9 * u[0],
-                     0.375 + (10. / 3. - 0.375) * u[1],
-                     298.15 + 875. * u[2],
-                     1.2 * u[3]}); // a little beyond its range, too
-      for (const double x : all.back())
+      for (const double x : point)
         text += exact(x) + " ";
       text += "\n";
     }
@@ -196,29 +240,9 @@ int main(void)
       folder.run(compile);
       folder.run("./driver <points.txt >answers.txt");
       const auto rows = folder.rows("answers.txt");
-      ASSERT_EQ(rows.size(), all.size());
-      for (std::size_t j = 0; j < all.size(); ++j)
-        {
-          // the law's own order has the wetting behind the pressure
-          const std::vector<double> x  = {all[j][0],
-                                          all[j][3],
-                                          all[j][1],
-                                          all[j][2]};
-          const LawPrediction       at = law.predict(x.data());
-          EXPECT_NEAR(rows[j][0], at.mean, 1e-11 * at.mean);
-          const double gradient[] = {at.gradient[0],
-                                     at.gradient[2],
-                                     at.gradient[3],
-                                     at.gradient[1]};
-          for (unsigned int c = 0; c < 4; ++c)
-            EXPECT_NEAR(rows[j][1 + c],
-                        gradient[c],
-                        1e-9 *
-                          (std::abs(gradient[c]) +
-                           (c < 3 ? derivative_scale(at.mean, c) : at.mean)));
-          EXPECT_EQ(rows[j][5] == 1., law.is_inside(x.data()));
-          EXPECT_NEAR(rows[j][6], at.deviation, 1e-10 * at.mean);
-        }
+      ASSERT_EQ(rows.size(), points.size());
+      for (std::size_t j = 0; j < points.size(); ++j)
+        expect_answer(rows[j], points[j], law);
     }
 }
 
