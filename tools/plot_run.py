@@ -306,13 +306,17 @@ def draw_history(panels, x, window, table, mean, spread):
         panels[0].legend(loc="best", fontsize=9)
 
 
-def limit_of_mu(table, window, mean):
-    """Upper end of the axis of mu: while the load is small, mu is a quotient
-    of two small numbers and may exceed every picture."""
+def limits_of_mu(table, window, mean):
+    """Ends of the axis of mu, which is negative where the tool pushes the chip
+    along its way: while the load is small, mu is a quotient of two small numbers
+    and may exceed every picture."""
     mu, time = table["mu"], table["time"]
     late = mu[time >= (window[0] if window else 0.2 * time[-1])]
-    reference = max(late.max(initial=0.), mean or 0.)
-    return min(1.7 * reference, 1.15 * mu.max()) if reference > 0. else 1.
+    reference = 1.7 * max(abs(late).max(initial=0.), abs(mean or 0.))
+    if reference == 0.:
+        return 0., 1.
+    return (max(-reference, 1.15 * min(mu.min(), 0.)),
+            min(reference, 1.15 * max(mu.max(), 0.)))
 
 
 def plot_friction(directory, target):
@@ -333,7 +337,7 @@ def plot_friction(directory, target):
     panels[0].set_ylabel("friction coefficient µ [–]")
     panels[1].set_ylabel("contact fraction [%]")
     panels[1].set_xlabel("time [µs]")
-    panels[0].set_ylim(0., limit_of_mu(table, window, mean))
+    panels[0].set_ylim(*limits_of_mu(table, window, mean))
     panels[1].set_ylim(bottom=0.)
     figure.suptitle(heading(directory, summary))
     figure.savefig(target, dpi=110)
