@@ -41,6 +41,16 @@ namespace
   }
 
   int
+  report_topography(const Arguments &arguments)
+  {
+    if (arguments.size() != 2)
+      throw InputError("'asperity topography' takes one height map or one "
+                       "parameter file, as in 'asperity topography "
+                       "surface.sdf'.");
+    return topography_report(arguments[1]);
+  }
+
+  int
   run_file(const std::string &file)
   {
     if (describes_campaign(file))
@@ -91,7 +101,7 @@ namespace
                   {"check", on_file(check_file)},
                   {"new", new_scene},
                   {"parameters", print_parameters},
-                  {"topography", on_file(topography_report)},
+                  {"topography", report_topography},
                   {"characterize", on_file(characterize)}};
     if (arguments.empty())
       throw InputError("This program is a part of asperity; please call that.");

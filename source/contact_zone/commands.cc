@@ -203,7 +203,7 @@ namespace asperity
     dealii::Timer      timer;
     SceneInput         input(file);
     SceneParameters   &parameters = input.parameters;
-    const AuditedScene audited(parameters);
+    const AuditedScene audited(input);
     Scene             &scene = *audited.scene;
     const SceneAudit  &audit = audited.audit;
     SlidingRun         run(parameters, scene);
@@ -261,7 +261,7 @@ namespace asperity
     if (!is_first_rank())
       return 0;
     SceneInput         input(file);
-    const AuditedScene audited(input.parameters);
+    const AuditedScene audited(input);
     print_scene(*audited.scene,
                 audited.audit,
                 input.parameters.material.heats_itself(),

@@ -1,9 +1,11 @@
+#include <asperity/base/errors.h>
 #include <asperity/contact_zone/scene_input.h>
 
 namespace asperity
 {
   SceneInput::SceneInput(const std::string &file, const EntryValues &changes)
-    : declarator(handler)
+    : file(file)
+    , declarator(handler)
   {
     parameters.declare(declarator);
     declarator.read_file(file);
@@ -29,4 +31,14 @@ namespace asperity
         scene                        = std::make_unique<Scene>(parameters);
       }
   }
+
+
+
+  AuditedScene::AuditedScene(SceneInput &input)
+  try : AuditedScene(input.parameters)
+    {}
+  catch (const InputError &error)
+    {
+      throw InputError(input.file + ": " + error.what());
+    }
 } // namespace asperity

@@ -177,3 +177,17 @@ TEST_F(ImpossibleScene, no_entry_with_a_number_is_without_bounds)
     }
   EXPECT_GT(n_numbers, 70u);
 }
+
+TEST_F(ImpossibleScene, what_shows_while_it_is_built_names_the_file)
+{
+  write("map.txt", "1 2 1 2\n2 1 2 1\n1 2 1 2\n2 1 2 1\n");
+  EXPECT_EQ(refusal("subsection Tool\n set Kind = measured\n"
+                    " subsection Topography\n  set File = map.txt\n"
+                    "  set Lateral unit = parsec\n end\nend\n")
+              .find("Error: scene.prm: The entry 'Lateral unit' = 'parsec'"),
+            0u);
+  EXPECT_EQ(refusal(in("Geometry", " set Chip height = 10 mm") +
+                    in("Mesh", " set Row grading = 1"))
+              .find("Error: scene.prm: Mesh: these entries make"),
+            0u);
+}

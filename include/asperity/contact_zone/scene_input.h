@@ -29,6 +29,7 @@ namespace asperity
     explicit SceneInput(const std::string &file,
                         const EntryValues &changes = {});
 
+    const std::string        file; ///< as given
     dealii::ParameterHandler handler;
     ParameterDeclarator      declarator;
     SceneParameters          parameters;
@@ -41,7 +42,12 @@ namespace asperity
    *  `automatic`, those of the audit; these go into the parameters. */
   struct AuditedScene
   {
+    /** @throws InputError if no scene can be made of the parameters, which
+     *    shows only when surfaces are read and meshes are built */
     explicit AuditedScene(SceneParameters &parameters);
+
+    /** The scene of a file, which errors name. */
+    explicit AuditedScene(SceneInput &input);
 
     std::unique_ptr<Scene> scene;
     SceneAudit             audit;

@@ -47,6 +47,7 @@ namespace asperity
    * if measured, along +y otherwise.
    * @param length period of flat and harmonic surfaces; a measured one has the
    *   length of its profile
+   * @throws InputError if no periodic profile can be made of the map
    */
   Surface
   make_surface(const SurfaceParameters &parameters, const double length);

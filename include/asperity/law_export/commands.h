@@ -22,6 +22,7 @@ namespace asperity
    * = 0.5"`.
    * @param arguments the command's name first
    * @return exit status
+   * @throws InputError if an argument or the law's file is wrong
    */
   int
   predict_friction(const std::vector<std::string> &arguments);
@@ -30,6 +31,7 @@ namespace asperity
    * `asperity export MODEL DIRECTORY [--tolerance 0.5%] [--units SI]
    * [--wetting 0.5]`: the law as source code, user subroutines and tables;
    * further inputs of the law are given as for `predict`.
+   * @throws InputError if an argument or the law's file is wrong
    */
   int
   export_friction_law(const std::vector<std::string> &arguments);

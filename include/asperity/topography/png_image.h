@@ -14,7 +14,8 @@ namespace asperity
   Colour
   viridis(const double t);
 
-  /** A PNG file of width*height pixels, row-major from the upper left. */
+  /** A PNG file of width*height pixels, row-major from the upper left.
+   *  @throws ComputationError if it cannot be compressed */
   std::string
   encode_png(const unsigned int         width,
              const unsigned int         height,
