@@ -60,7 +60,7 @@ namespace asperity
             y += parameters.amplitudes[k] *
                  std::cos(2. * M_PI * parameters.wave_numbers[k] * x / length +
                           parameters.phases[k]);
-          return y;
+          return parameters.topography.scale_z * y;
         },
         0.,
         length,

@@ -119,10 +119,12 @@ namespace asperity
                         p.scale_x,
                         Range::between(1e-6, 1e6),
                         "Factor on the lengths of the finished profile.");
-      parameters.number("Scale z",
-                        p.scale_z,
-                        Range::between(1e-6, 1e6),
-                        "Factor on the heights of the finished profile.");
+      parameters.number(
+        "Scale z",
+        p.scale_z,
+        Range::between(1e-6, 1e6),
+        "Factor on the heights of the finished profile, or of the "
+        "harmonics of a scene's surface.");
     }
 
     void

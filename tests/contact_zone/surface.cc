@@ -48,6 +48,15 @@ TEST(Surface, harmonics_follow_their_formula)
     }
 }
 
+TEST(Surface, harmonics_are_scaled_in_height)
+{
+  SurfaceParameters parameters  = SceneParameters().tool;
+  parameters.topography.scale_z = 5.;
+  const Surface tool            = make_surface(parameters, L);
+  for (unsigned int i = 0; i <= 100; ++i)
+    EXPECT_NEAR(tool.height(L * i / 100), 5. * R0_height(L * i / 100), 1e-11);
+}
+
 TEST(Surface, R0_has_the_published_height_and_slope)
 {
   const Surface tool = make_surface(SceneParameters().tool, L);

@@ -17,7 +17,7 @@ namespace asperity
   enum class SurfaceKind
   {
     flat,
-    harmonics, ///< sum of a_k cos(2 pi k x / L + phi_k)
+    harmonics, ///< Scale z times the sum of a_k cos(2 pi k x / L + phi_k)
     measured   ///< a profile of a height map
   };
 
