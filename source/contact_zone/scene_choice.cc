@@ -239,8 +239,8 @@ namespace asperity
           "less than one profile differs from another.");
       set("Protocol/Maximum distance",
           um(sizes.maximum_distance),
-          "2.4 shortest waves; by then the wear marks are as long as the "
-          "contacts.");
+          "4 shortest waves; a dry tool is steady by half of it, oil may take "
+          "longer.");
     }
 
     void
@@ -334,7 +334,7 @@ namespace asperity
       std::max(0.1 * scale.shortest_wave / scale.velocity, 12. * transit);
     steady_distance  = 0.4 * scale.shortest_wave;
     steady_step      = scale.shortest_wave / 60.;
-    maximum_distance = 2.4 * scale.shortest_wave;
+    maximum_distance = 4. * scale.shortest_wave;
   }
 
 

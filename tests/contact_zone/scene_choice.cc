@@ -256,7 +256,7 @@ TEST(SceneSizes, follow_from_the_tool)
   EXPECT_DOUBLE_EQ(sizes.initial_gap, 0.015 * micron);
   EXPECT_DOUBLE_EQ(sizes.ramp_time, 0.2e-6); // a tenth of a wave at 1 m/s
   EXPECT_DOUBLE_EQ(sizes.steady_distance, 0.8 * micron);
-  EXPECT_DOUBLE_EQ(sizes.maximum_distance, 4.8 * micron);
+  EXPECT_DOUBLE_EQ(sizes.maximum_distance, 8. * micron);
 
   // Twelve transits there and back of the chip.
   scale.velocity = 100.;

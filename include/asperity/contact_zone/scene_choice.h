@@ -48,7 +48,7 @@ namespace asperity
 
     double steady_distance;  ///< 0.4 shortest waves
     double steady_step;      ///< a sixtieth of the shortest wave
-    double maximum_distance; ///< 2.4 shortest waves
+    double maximum_distance; ///< 4 shortest waves
   };
 
   /** A parameter file that is made from a map. */
