@@ -56,6 +56,47 @@ namespace asperity
 
 
   void
+  FlowParameters::declare(ParameterDeclarator &parameters)
+  {
+    const auto in_section = parameters.subsection("Flow");
+    parameters.choice("Mesh update",
+                      mesh_update,
+                      {{"columns", MeshUpdateKind::columns},
+                       {"elastic", MeshUpdateKind::elastic}},
+                      "How the nodes inside of the gap follow its walls: "
+                      "`columns`, in fixed shares of the gap's height; "
+                      "`elastic`, as those of a linear elastic body, as in Lee "
+                      "(2025).");
+    parameters.number("Stiffening",
+                      stiffening,
+                      Range::between(0., 4.),
+                      "Mesh update `elastic`: exponent chi of (J_0/J)^chi, "
+                      "with which small cells are stiffer than large ones.");
+    parameters.choice("Time scheme",
+                      time_scheme,
+                      {{"BDF2", FluidTimeScheme::bdf2},
+                       {"implicit Euler", FluidTimeScheme::implicit_euler}},
+                      "`BDF2`, of second order; `implicit Euler`, of first "
+                      "order, as in Lee (2025).");
+    parameters.choice("Element",
+                      element,
+                      {{"Taylor-Hood", FluidElement::taylor_hood},
+                       {"equal order", FluidElement::equal_order}},
+                      "`Taylor-Hood`, the velocity quadratic and the pressure "
+                      "linear; `equal order`, both quadratic, stabilised by "
+                      "SUPG, PSPG and LSIC terms.");
+    parameters.choice("Solver",
+                      solver,
+                      {{"direct", FlowSolverKind::direct},
+                       {"Krylov", FlowSolverKind::krylov}},
+                      "Of the linear systems of the flow: `direct`, a "
+                      "factorisation; `Krylov`, an iteration with a "
+                      "block preconditioner, in half the memory.");
+  }
+
+
+
+  void
   LubricationParameters::declare(ParameterDeclarator &parameters)
   {
     {
@@ -93,6 +134,7 @@ namespace asperity
     }
     oil.declare(parameters);
     mesh.declare(parameters);
+    flow.declare(parameters);
     coupling.declare(parameters);
   }
 
@@ -105,6 +147,25 @@ namespace asperity
     coupling.acceleration.reused_steps = 2;
     coupling.acceleration.filter       = 0.03;
     return coupling;
+  }
+
+
+
+  GapFlowOptions
+  LubricationParameters::gap_flow() const
+  {
+    GapFlowOptions options;
+    options.oil              = oil;
+    options.inertia          = model == LubricantModel::navier_stokes;
+    options.residual_film    = residual_film;
+    options.columns_per_span = mesh.columns_per_span;
+    options.rows             = mesh.rows;
+    options.mesh_update      = flow.mesh_update;
+    options.stiffening       = flow.stiffening;
+    options.scheme           = flow.time_scheme;
+    options.element          = flow.element;
+    options.linear_solver    = flow.solver;
+    return options;
   }
 
 

@@ -310,15 +310,10 @@ namespace asperity
   void
   Scene::build_flow(const SceneParameters &parameters)
   {
-    const LubricationParameters &lubrication = parameters.lubrication;
-    GapFlowOptions               options;
-    options.oil           = lubrication.oil;
-    options.inertia       = lubrication.model == LubricantModel::navier_stokes;
-    options.residual_film = lubrication.residual_film;
-    options.columns_per_span = lubrication.mesh.columns_per_span;
-    options.rows             = lubrication.mesh.rows;
-    auto flow =
-      std::make_unique<GapFlow>(*space, geometry, tool_surface.curve, options);
+    auto flow = std::make_unique<GapFlow>(*space,
+                                          geometry,
+                                          tool_surface.curve,
+                                          parameters.lubrication.gap_flow());
     gap_flow  = flow.get();
     lubricant = std::move(flow);
   }

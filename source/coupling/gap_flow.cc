@@ -3,6 +3,7 @@
 #include <asperity/mesh_motion/column_layout.h>
 
 #include <deal.II/base/timer.h>
+#include <deal.II/fe/mapping_q_eulerian.h>
 
 #include <algorithm>
 #include <cmath>
@@ -48,6 +49,9 @@ namespace asperity
       fluid.model.density    = options.inertia ? options.oil.density : 0.;
       fluid.model.viscosity  = options.oil.viscosity;
       fluid.model.convection = options.inertia;
+      fluid.element          = options.element;
+      fluid.scheme           = options.scheme;
+      fluid.linear_solver    = options.linear_solver;
       fluid.tolerance        = flow_tolerance;
       fluid.kept_tangent_contraction = kept_tangent_contraction;
       return fluid;
@@ -59,7 +63,7 @@ namespace asperity
   GapFlow::Side::Side(GapFlow &gap)
     : AleFluid(gap.flow_,
                chip_wall,
-               [&gap](const Vector &) { return gap.mesh_.displacement(); })
+               [&gap](const Vector &) { return gap.mesh_displacement(); })
     , gap(gap)
   {}
 
@@ -117,7 +121,9 @@ namespace asperity
     if (!report.converged)
       throw InputError("The oil between tool and chip cannot be meshed: " +
                        report.reason + ".");
-    flow_.set_initial_displacement(mesh_.displacement());
+    if (options.mesh_update == MeshUpdateKind::elastic)
+      make_elastic_update(options.stiffening);
+    flow_.set_initial_displacement(mesh_displacement());
     flow_.set_material_walls(chip_wall);
     initial_volume          = flow_.volume();
     state_.void_volume      = initial_volume;
@@ -214,10 +220,40 @@ namespace asperity
 
 
 
+  Vector
+  GapFlow::mesh_displacement() const
+  {
+    if (!elastic)
+      return mesh_.displacement();
+    Vector change = mesh_.displacement();
+    change -= elastic_start;
+    Vector displacement = elastic->update(change);
+    displacement += elastic_start;
+    return displacement;
+  }
+
+
+
+  void
+  GapFlow::make_elastic_update(const double stiffening)
+  {
+    elastic_start = mesh_.displacement();
+    const dealii::MappingQEulerian<2, Vector> gap(2,
+                                                  mesh_.dofs(),
+                                                  elastic_start);
+    ElasticMeshOptions                        options;
+    options.stiffening_exponent = stiffening;
+    options.prescribed = {ColumnMesh::chip_wall, ColumnMesh::tool_wall};
+    options.periodic   = {{ColumnMesh::left_side, ColumnMesh::right_side}};
+    elastic = std::make_unique<ElasticMeshUpdate>(mesh_.dofs(), gap, options);
+  }
+
+
+
   void
   GapFlow::set_tool_velocity()
   {
-    flow_.set_mesh_displacement(mesh_.displacement());
+    flow_.set_mesh_displacement(mesh_displacement());
     const NodalVectors w = flow_.wall_mesh_velocity(tool_wall);
     Vector             w_field(mesh_.dofs().n_dofs());
     for (unsigned int n = 0; n < w.size(); ++n)

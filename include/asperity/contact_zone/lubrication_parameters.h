@@ -4,6 +4,7 @@
 #include <asperity/base/parameters.h>
 #include <asperity/constitutive/lubricant_parameters.h>
 #include <asperity/coupling/coupling_parameters.h>
+#include <asperity/coupling/gap_flow.h>
 
 #include <string>
 
@@ -39,6 +40,19 @@ namespace asperity
     declare(ParameterDeclarator &parameters);
   };
 
+  /** How the flow of an oil that fills the gap is computed, see GapFlow. */
+  struct FlowParameters
+  {
+    MeshUpdateKind  mesh_update = MeshUpdateKind::columns;
+    double          stiffening  = 1.; ///< of the elastic mesh update
+    FluidTimeScheme time_scheme = FluidTimeScheme::bdf2;
+    FluidElement    element     = FluidElement::taylor_hood;
+    FlowSolverKind  solver      = FlowSolverKind::direct;
+
+    void
+    declare(ParameterDeclarator &parameters);
+  };
+
   /** How much oil there is, and how it is modelled. */
   struct LubricationParameters
   {
@@ -56,10 +70,15 @@ namespace asperity
 
     // Models that fill the gap
     FilmMeshParameters mesh;
+    FlowParameters     flow;
     CouplingParameters coupling = default_coupling();
 
     void
     declare(ParameterDeclarator &parameters);
+
+    /** Of a model that fills the gap. */
+    GapFlowOptions
+    gap_flow() const;
 
     /** Relations between entries.
      *  @throws InputError naming the entry that contradicts another */

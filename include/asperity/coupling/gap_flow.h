@@ -7,13 +7,23 @@
 #include <asperity/isogeometric/edge_trace.h>
 #include <asperity/lubricant/lubricant.h>
 #include <asperity/mesh_motion/column_mesh.h>
+#include <asperity/mesh_motion/elastic_mesh_update.h>
 
+#include <memory>
 #include <ostream>
 #include <utility>
 #include <vector>
 
 namespace asperity
 {
+  /** How the nodes between the walls follow them; those on the walls are
+   *  ColumnMesh's in either case. */
+  enum class MeshUpdateKind
+  {
+    columns, ///< in fixed shares of the gap: no cell can be inverted
+    elastic  ///< like an elastic body, ElasticMeshUpdate, as in Lee (2025)
+  };
+
   struct GapFlowOptions
   {
     /** Its density law does not count: the flow is incompressible. */
@@ -27,6 +37,15 @@ namespace asperity
 
     unsigned int columns_per_span = 1; ///< of the chip's edge
     unsigned int rows             = 2; ///< between chip and tool
+
+    MeshUpdateKind mesh_update = MeshUpdateKind::columns;
+
+    /** If elastic, ElasticMeshOptions::stiffening_exponent. */
+    double stiffening = 1.;
+
+    FluidTimeScheme scheme        = FluidTimeScheme::bdf2;
+    FluidElement    element       = FluidElement::taylor_hood;
+    FlowSolverKind  linear_solver = FlowSolverKind::direct;
   };
 
 
@@ -157,15 +176,28 @@ namespace asperity
     SplineCurve
     chip_curve() const;
 
+    /** Of all nodes of the mesh from their reference positions [m]. */
+    Vector
+    mesh_displacement() const;
+
+    /** Makes the mesh update that starts from the present columns. */
+    void
+    make_elastic_update(const double stiffening);
+
     /** The integral of p n over the chip's wall, and the largest p. */
     std::pair<dealii::Tensor<1, 2>, double>
     integrate_pressure() const;
 
-    const PatchGeometry       geometry;
-    const EdgeTrace           edge;
-    double                    length;
-    Vector                    chip; ///< displacement
-    ColumnMesh                mesh_;
+    const PatchGeometry geometry;
+    const EdgeTrace     edge;
+    double              length;
+    Vector              chip; ///< displacement
+    ColumnMesh          mesh_;
+
+    /** If that is the mesh update; displacements from elastic_start. */
+    std::unique_ptr<ElasticMeshUpdate> elastic;
+    Vector                             elastic_start;
+
     NavierStokes              flow_;
     Side                      side_;
     Interface                 interface_;
