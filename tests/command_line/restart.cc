@@ -143,9 +143,9 @@ TEST_F(Restart, a_run_that_gives_up_leaves_its_state_and_a_sentence)
   write("scene.prm", scene("run", true));
   const Result rest = run("scene.prm");
   EXPECT_EQ(rest.status, 0) << rest.errors;
-  EXPECT_NE(read("run/summary.json")
-              .find("\"mechanisms\": [\n    \"ploughing\"\n  ]"),
-            std::string::npos);
+  EXPECT_NE(
+    read("run/summary.json").find("\"mechanisms\": [\n    \"ploughing\"\n  ]"),
+    std::string::npos);
 }
 
 TEST_F(Restart, without_a_checkpoint_is_refused)
