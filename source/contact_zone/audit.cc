@@ -240,20 +240,6 @@ namespace asperity
           " % of its height; raise the spans (Mesh/Spans) or filter the chip.");
     }
 
-    /** Mean vertical distance of the surfaces at the start [m]. */
-    double
-    mean_gap(const Scene &scene)
-    {
-      constexpr unsigned int n   = 2000;
-      double                 sum = 0.;
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          const double x = scene.length * i / n;
-          sum += scene.tool_surface.height(x) - scene.chip_surface.height(x);
-        }
-      return sum / n;
-    }
-
     /** The rung that the numbers ask for. In a void that is not full, oil has
      *  to leave the gaps that close, and one pressure of a whole pocket knows
      *  nothing of the films that hold them open until it has
@@ -281,9 +267,17 @@ namespace asperity
         return;
       const LubricantParameters &oil = lubrication.oil;
       const double p = parameters.load.pressure, v = parameters.load.velocity,
-                   eta = oil.viscosity.viscosity, h = mean_gap(scene);
+                   eta = oil.viscosity.viscosity,
+                   h   = scene.tool_surface.mean() - scene.chip_surface.mean();
       const double asperity = asperities_of(scene).length;
 
+      audit.entries.push_back(
+        {"oil over the void at first touch",
+         scene.oil.part_at_touch,
+         "above 1 the gap is flooded: the oil is compressed before the "
+         "surfaces touch"});
+      if (!scene.oil.warning.empty())
+        audit.warnings.push_back(scene.oil.warning);
       audit.entries.push_back(
         {"compression of the oil at the load",
          1. - 1. / oil.compressibility.ratio(p),
@@ -312,7 +306,7 @@ namespace asperity
          oil.density * v * h / eta * h / asperity,
          "far below 1 the oil has no inertia: Reynolds or Stokes"});
       if (lubrication.model == LubricantModel::automatic)
-        audit.lubricant = choose_lubricant(lubrication.wetting,
+        audit.lubricant = choose_lubricant(scene.oil.part_at_start,
                                            flow_pressure,
                                            squeeze_pressure);
       // Only its mass holds a chip whose balance and flow are solved in turn.

@@ -70,6 +70,11 @@ namespace asperity
                 << format_quantity(scene.penalty(), "Pa/m", 3) << "\n";
       if (explain)
         print_treatment(scene.chip_surface);
+      if (audit.lubricant != LubricantModel::none)
+        std::cout << "Oil: " << format_quantity(scene.oil.thickness, "nm", 4)
+                  << " over the period, "
+                  << format_quantity(100. * scene.oil.part_at_start, "1", 3)
+                  << " % of the void at the start\n";
       std::cout << "Scene audit:\n";
       for (const AuditEntry &entry : audit.entries)
         {

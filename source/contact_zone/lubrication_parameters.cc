@@ -112,11 +112,30 @@ namespace asperity
                         "and with the inertia of the oil, which is "
                         "incompressible and fills the void; `automatic`, as "
                         "the scene audit says.");
+      parameters.choice("Oil amount",
+                        amount,
+                        {{"part of void at start", OilAmount::void_at_start},
+                         {"part of void at touch", OilAmount::void_at_touch},
+                         {"film thickness", OilAmount::film_thickness}},
+                        "How much oil there is: `part of void at start`, "
+                        "Wetting of the void between the surfaces at the "
+                        "start, to which the initial gap belongs; `part of "
+                        "void at touch`, Wetting of what is left of it when "
+                        "they touch; `film thickness`, Oil film. The last two "
+                        "do not depend on the initial gap, which grows if the "
+                        "oil has no room in it.");
       parameters.number("Wetting",
                         wetting,
                         Range::between(0., 1.),
                         "w, the part of the void between the surfaces that "
-                        "holds oil at the start: 0 dry, 1 flooded.");
+                        "holds oil, as Oil amount says: 0 dry, 1 flooded.");
+      parameters.quantity("Oil film",
+                          film,
+                          "nm",
+                          Range::between(0., 1e-4),
+                          "Volume of oil over area, as minimum quantity "
+                          "lubrication doses it, where Oil amount is `film "
+                          "thickness`.");
       parameters.quantity("Sealing gap",
                           sealing_gap,
                           "nm",
@@ -175,16 +194,34 @@ namespace asperity
   {
     if (model == LubricantModel::none || model == LubricantModel::automatic)
       return;
-    if (wetting == 0.)
-      throw InputError(parameters.where("Lubrication/Wetting") +
+    check_amount(parameters);
+    oil.check(parameters);
+  }
+
+
+
+  void
+  LubricationParameters::check_amount(
+    const ParameterDeclarator &parameters) const
+  {
+    const bool        by_film = amount == OilAmount::film_thickness;
+    const std::string entry =
+      by_film ? "Lubrication/Oil film" : "Lubrication/Wetting";
+    if ((by_film ? film : wetting) == 0.)
+      throw InputError(parameters.where(entry) +
                        ": found 0, so that there is no oil; expected a "
                        "positive number, or the model `none`.");
+    if (fills_gap(model) && amount != OilAmount::void_at_start)
+      throw InputError(parameters.where("Lubrication/Oil amount") + ": found " +
+                       parameters.get("Lubrication/Oil amount") +
+                       ", but the model `" + name(model) +
+                       "` fills the void with oil; expected part of void at "
+                       "start, or the model `pocket` or `Reynolds`.");
     if (fills_gap(model) && wetting != 1.)
       throw InputError(parameters.where("Lubrication/Wetting") + ": found " +
                        format_number(wetting) + ", but the model `" +
                        name(model) +
                        "` fills the void with oil; expected 1, or the model "
                        "`pocket` or `Reynolds`.");
-    oil.check(parameters);
   }
 } // namespace asperity

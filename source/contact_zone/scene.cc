@@ -118,10 +118,11 @@ namespace asperity
                        "; crop or scale one of them.");
     const double height = parameters.geometry.height;
     chip_surface        = chip_surface.mapped(1., height);
-    tool_surface =
-      tool_surface.mapped(1.,
-                          parameters.geometry.initial_gap -
-                            smallest_gap(chip_surface, tool_surface));
+    const double gap    = smallest_gap(chip_surface, tool_surface);
+    oil                 = oil_in_gap(parameters.lubrication,
+                     parameters.geometry.initial_gap,
+                     tool_surface.mean() - chip_surface.mean() - gap);
+    tool_surface        = tool_surface.mapped(1., oil.initial_gap - gap);
   }
 
 
@@ -256,7 +257,8 @@ namespace asperity
       return;
     SealedPocketOptions options;
     options.density         = lubrication.oil.compressibility;
-    options.wetting         = lubrication.wetting;
+    options.wetting         = oil.part_at_start;
+    options.oil_film        = oil.film;
     options.sealing_gap     = lubrication.sealing_gap;
     options.penalty_modulus = 1e6 * parameters.load.pressure;
     lubricant               = std::make_unique<SealedPocket>(*space,
@@ -287,7 +289,8 @@ namespace asperity
     const LubricationParameters &lubrication = parameters.lubrication;
     FilmTermOptions              options;
     options.oil            = lubrication.oil;
-    options.wetting        = lubrication.wetting;
+    options.wetting        = oil.part_at_start;
+    options.oil_film       = oil.film;
     options.gap.residual   = lubrication.residual_film;
     options.pressure_scale = parameters.load.pressure;
     options.gap_scale      = gap_scale(parameters);
@@ -297,10 +300,8 @@ namespace asperity
     // The chip starts in touch if the oil leaves that room: a film that had to
     // be squeezed out in the first step would resist as none does.
     const double mean_gap = film->state().void_volume / length;
-    initial_unknowns_ =
-      translation(0.,
-                  std::min(parameters.geometry.initial_gap,
-                           (1. - lubrication.wetting) * mean_gap));
+    initial_unknowns_     = translation(
+      0., std::min(oil.initial_gap, (1. - oil.part_at_start) * mean_gap));
     film->initialize(initial_unknowns_);
     lubricant = std::move(film);
   }

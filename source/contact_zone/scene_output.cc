@@ -220,9 +220,14 @@ namespace asperity
       const FrictionResult friction = run.friction();
       const FrictionRow   &last     = run.state().rows.back();
       json                 summary;
-      summary["wetting"]    = parameters.lubrication.wetting;
-      summary["pressure"]   = friction.oil_pressure;
-      summary["load_share"] = number_or_null(
+      summary["wetting"]               = parameters.lubrication.wetting;
+      summary["thickness"]             = scene.oil.thickness;
+      summary["part_of_void_at_start"] = scene.oil.part_at_start;
+      summary["part_of_void_at_touch"] =
+        number_or_null(scene.oil.part_at_touch);
+      summary["initial_gap"] = scene.oil.initial_gap;
+      summary["pressure"]    = friction.oil_pressure;
+      summary["load_share"]  = number_or_null(
         friction.oil_pressure * scene.length / std::abs(friction.T_y));
       summary["T_x_pressure"]     = friction.oil_T_x;
       summary["T_x_shear"]        = friction.shear_T_x;

@@ -2,6 +2,8 @@
 #include <asperity/contact_zone/surface.h>
 #include <asperity/splines/spline_fit.h>
 
+#include <deal.II/base/quadrature_lib.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -143,6 +145,23 @@ namespace asperity
     return -periodic_minimum([this](const double x) { return -height(x); },
                              period,
                              search_points(*this));
+  }
+
+
+
+  double
+  Surface::mean() const
+  {
+    const dealii::QGauss<1> gauss(curve.degree() / 2 + 1);
+    double                  sum = 0.;
+    for (const BezierPiece &piece : curve.bezier_pieces())
+      for (unsigned int q = 0; q < gauss.size(); ++q)
+        {
+          const double width = piece.end - piece.begin;
+          sum += gauss.weight(q) * width *
+                 height(piece.begin + width * gauss.point(q)[0]);
+        }
+    return sum / period;
   }
 
 

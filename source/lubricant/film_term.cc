@@ -76,8 +76,10 @@ namespace asperity
   FilmTerm::initialize(Vector &u)
   {
     start(u);
-    const double fraction =
-      std::min(1., options.wetting * void_volume / state().void_volume);
+    const double oil_volume = options.oil_film ?
+                                *options.oil_film * edge_.period() :
+                                options.wetting * void_volume;
+    const double fraction   = std::min(1., oil_volume / state().void_volume);
     for (unsigned int i = 0; i < edge_.n_cells(); ++i)
       {
         step.old_content[i]    = fraction * film_geometry.volume[i];

@@ -1,4 +1,6 @@
 #include <asperity/base/archive.h>
+#include <asperity/base/errors.h>
+#include <asperity/base/quantity.h>
 #include <asperity/lubricant/sealed_pocket.h>
 
 #include <algorithm>
@@ -25,9 +27,23 @@ namespace asperity
     , accepted_tracker(length)
   {
     track();
+    double void_at_start = 0.;
+    for (const Enclosure &pocket : pockets)
+      void_at_start += pocket.volume;
+    double wetting = options.wetting;
+    if (options.oil_film)
+      {
+        if (!(void_at_start > 0.))
+          throw InputError(
+            "Lubrication/Sealing gap: found " +
+            format_quantity(options.sealing_gap, "nm") +
+            ", and the surfaces are nowhere further apart at the start, so "
+            "that no pocket takes the oil; expected less.");
+        wetting = *options.oil_film * length / void_at_start;
+      }
     std::vector<double> oil;
     for (const Enclosure &pocket : pockets)
-      oil.push_back(options.wetting * pocket.volume);
+      oil.push_back(wetting * pocket.volume);
     tracker.set_masses(oil);
     enclose();
     accept(dealii::Vector<double>());

@@ -191,3 +191,21 @@ TEST_F(ImpossibleScene, what_shows_while_it_is_built_names_the_file)
               .find("Error: scene.prm: Mesh: these entries make"),
             0u);
 }
+
+TEST_F(ImpossibleScene, no_oil_or_a_part_of_it_that_the_model_cannot_take)
+{
+  EXPECT_EQ(refusal(in("Lubrication",
+                       " set Model = pocket\n"
+                       " set Oil amount = film thickness\n"
+                       " set Oil film = 0 nm")),
+            "Error: scene.prm, line 4, entry 'Lubrication/Oil film': found 0, "
+            "so that there is no oil; expected a positive number, or the model "
+            "`none`.\n");
+  EXPECT_EQ(refusal(in("Lubrication",
+                       " set Model = Stokes\n"
+                       " set Oil amount = film thickness")),
+            "Error: scene.prm, line 3, entry 'Lubrication/Oil amount': found "
+            "film thickness, but the model `Stokes` fills the void with oil; "
+            "expected part of void at start, or the model `pocket` or "
+            "`Reynolds`.\n");
+}

@@ -235,17 +235,17 @@ TEST(SceneAudit, chooses_the_lubricant_model_by_the_flow)
               0.02 * squeeze);
 
   parameters.lubrication.wetting = 0.6;
-  audit                          = audit_scene(parameters, scene);
+  audit                          = audit_scene(parameters, Scene(parameters));
   EXPECT_EQ(audit.lubricant, LubricantModel::reynolds);
   parameters.lubrication.oil.viscosity.viscosity = 0.032 * 0.9e-3 / squeeze;
-  audit = audit_scene(parameters, scene);
+  audit = audit_scene(parameters, Scene(parameters));
   EXPECT_EQ(audit.lubricant, LubricantModel::pocket);
   parameters.lubrication.oil.viscosity.viscosity = 0.032;
   parameters.lubrication.wetting                 = 1.;
   parameters.load.velocity                       = 200.;
-  audit = audit_scene(parameters, scene);
+  audit = audit_scene(parameters, Scene(parameters));
   EXPECT_EQ(audit.lubricant, LubricantModel::reynolds);
   parameters.lubrication.wetting = 0.;
-  audit                          = audit_scene(parameters, scene);
+  audit                          = audit_scene(parameters, Scene(parameters));
   EXPECT_EQ(audit.lubricant, LubricantModel::none);
 }

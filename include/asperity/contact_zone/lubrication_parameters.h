@@ -30,6 +30,14 @@ namespace asperity
   bool
   fills_gap(const LubricantModel model);
 
+  /** What the oil is counted by. */
+  enum class OilAmount
+  {
+    void_at_start, ///< part of the void at the start, its gap included
+    void_at_touch, ///< part of the void at first touch
+    film_thickness ///< volume over area
+  };
+
   /** The mesh of an oil that fills the gap, see GapFlow. */
   struct FilmMeshParameters
   {
@@ -57,7 +65,9 @@ namespace asperity
   struct LubricationParameters
   {
     LubricantModel model   = LubricantModel::none;
-    double         wetting = 1.; ///< w, oil over void at the start
+    OilAmount      amount  = OilAmount::void_at_start;
+    double         wetting = 1.;    ///< w, oil over void
+    double         film    = 50e-9; ///< of OilAmount::film_thickness [m]
 
     /** Model `pocket`: gap under which surfaces seal [m]; 0: one connected
      *  void. */
@@ -86,6 +96,10 @@ namespace asperity
     check(const ParameterDeclarator &parameters) const;
 
   private:
+    /** Whether there is oil, and as much as the model takes. */
+    void
+    check_amount(const ParameterDeclarator &parameters) const;
+
     /** Columns of more steps, or such that nearly depend on newer ones, mislead
      *  the quasi-Newton iteration where asperities come into contact. */
     static CouplingParameters

@@ -2,6 +2,7 @@
 #define asperity_contact_zone_scene_h
 
 #include <asperity/contact/contact_assembler.h>
+#include <asperity/contact_zone/oil_in_gap.h>
 #include <asperity/contact_zone/scene_parameters.h>
 #include <asperity/contact_zone/surface.h>
 #include <asperity/coupling/gap_flow.h>
@@ -67,6 +68,7 @@ namespace asperity
     double length; ///< period L [m]
 
     Surface                            tool_surface, chip_surface;
+    OilInGap                           oil;
     std::shared_ptr<SplineSpace>       space;
     PatchGeometry                      geometry;
     std::shared_ptr<const MaterialLaw> law;

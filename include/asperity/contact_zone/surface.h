@@ -33,6 +33,10 @@ namespace asperity
     double
     maximum() const;
 
+    /** (1/L) int s dx [m] */
+    double
+    mean() const;
+
     /** max |s'(x)| */
     double
     largest_slope() const;

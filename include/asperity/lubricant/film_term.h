@@ -14,6 +14,10 @@ namespace asperity
     /** w: share of the gap that holds oil at the start. */
     double wetting = 1.;
 
+    /** Volume of the oil at p = 0 over the period, at most the mean gap [m],
+     *  instead of w times the gap. */
+    std::optional<double> oil_film;
+
     /** The film that stays where the surfaces touch. */
     FilmGap gap;
 

@@ -7,6 +7,7 @@
 #include <asperity/lubricant/void_volume.h>
 
 #include <memory>
+#include <optional>
 
 namespace asperity
 {
@@ -16,6 +17,10 @@ namespace asperity
 
     /** w: oil at p = 0 over the void at the start. */
     double wetting = 1.;
+
+    /** Volume of the oil at p = 0 over the period [m], instead of w times the
+     *  void; pockets share it as they share the void. */
+    std::optional<double> oil_film;
 
     /** Gap under which the surfaces seal [m]; 0: all voids are connected and
      *  share one pressure. */
@@ -56,7 +61,8 @@ namespace asperity
   class SealedPocket : public Lubricant
   {
   public:
-    /** The chip is undeformed where V is taken first. */
+    /** The chip is undeformed where V is taken first.
+     *  @throws InputError if an oil film finds no pocket */
     SealedPocket(const SplineSpace         &space,
                  const PatchGeometry       &geometry,
                  const SplineCurve         &tool,
