@@ -37,7 +37,7 @@ namespace asperity
       dealii::FullMatrix<double>                   K(n, n);
       std::vector<dealii::types::global_dof_index> dofs(n);
       matrix = 0.;
-      for (const auto &cell : space.dofs().active_cell_iterators())
+      for (const auto &cell : space.cells())
         {
           values.reinit(cell);
           const auto &v = values[velocity_field];
@@ -105,7 +105,7 @@ namespace asperity
     dealii::Vector<double>                       local(fe.n_dofs_per_cell());
     std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
     Vector                                       result(volume_source);
-    for (const auto &cell : space_.dofs().active_cell_iterators())
+    for (const auto &cell : space_.cells())
       {
         values.reinit(cell);
         values[velocity_field].get_function_divergences(u, div_v);
@@ -136,6 +136,7 @@ namespace asperity
     // The equations themselves, and those without the prescribed unknowns.
     assemble_saddle_point(space_, mapping(), space_.topology(), saddle_point);
     assemble_saddle_point(space_, mapping(), constraints, matrix);
+    fill_empty_rows();
     is_factorised                 = false; // no tangent of the flow
     const unsigned int n_velocity = space_.n_velocity_dofs();
     regularize(space_, matrix);

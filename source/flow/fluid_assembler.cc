@@ -57,7 +57,7 @@ namespace asperity
   {
     Cell         cell(space, mesh);
     const Vector w = mesh.velocity();
-    for (const auto &it : space.dofs().active_cell_iterators())
+    for (const auto &it : space.cells())
       {
         cell.flow.reinit(it);
         cell.geometry.reinit(space.geometry_cell(it));

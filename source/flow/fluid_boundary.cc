@@ -235,7 +235,7 @@ namespace asperity
                      dealii::SparseMatrix<double>            *tangent) const
   {
     Face face(space, mesh);
-    for (const auto &cell : space.dofs().active_cell_iterators())
+    for (const auto &cell : space.cells())
       for (const unsigned int f : cell->face_indices())
         {
           if (!cell->at_boundary(f))
@@ -272,7 +272,7 @@ namespace asperity
   {
     Face         face(space, mesh);
     const Vector at_rest(space.dofs().n_dofs());
-    for (const auto &cell : space.dofs().active_cell_iterators())
+    for (const auto &cell : space.cells())
       for (const unsigned int f : cell->face_indices())
         {
           const Condition *condition =

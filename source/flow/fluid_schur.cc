@@ -68,6 +68,11 @@ namespace asperity
     // A steady flow's Robin terms are no inertia.
     if (estimate.inertia.linfty_norm() > 0.)
       boundary.add_robin_diagonal(estimate.inertia);
+    for (const unsigned int i : space.idle_dofs())
+      if (i < space.n_velocity_dofs())
+        estimate.inertia(i) = 1.;
+      else
+        estimate.mass.diag_element(i - space.n_velocity_dofs()) = 1.;
     estimate.inertia.grow_or_shrink(space.n_velocity_dofs());
     set_levels(held_dofs);
     return estimate;
@@ -120,7 +125,7 @@ namespace asperity
     Cell                       cell(space, mesh);
     dealii::FullMatrix<double> M(cell.n_pressure, cell.n_pressure);
     std::vector<dealii::types::global_dof_index> pressure(cell.n_pressure);
-    for (const auto &it : space.dofs().active_cell_iterators())
+    for (const auto &it : space.cells())
       {
         cell.flow.reinit(it);
         cell.flow[velocity_field].get_function_gradients(u, cell.grad_v);

@@ -4,11 +4,8 @@
 #include <deal.II/dofs/dof_renumbering.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
-#include <deal.II/grid/grid_tools.h>
 
-#include <boost/pending/disjoint_sets.hpp>
 
-#include <map>
 
 namespace asperity
 {
@@ -40,7 +37,7 @@ namespace asperity
                        std::to_string(geometry_degree) + ".");
     number_dofs();
     make_topology(periodic);
-    find_parts();
+    set_active(std::vector<bool>(mesh.n_active_cells(), true));
   }
 
 
@@ -70,42 +67,6 @@ namespace asperity
         periodic_ids_.insert({pair.left, pair.right});
       }
     topology_.close();
-  }
-
-
-
-  void
-  FluidSpace::find_parts()
-  {
-    const unsigned int                           n = dofs_.n_dofs();
-    boost::disjoint_sets_with_storage<>          sets(n);
-    std::vector<dealii::types::global_dof_index> cell_dofs(
-      fe.n_dofs_per_cell());
-    const unsigned int first = fe.component_to_system_index(2, 0);
-    for (const auto &cell : dofs_.active_cell_iterators())
-      {
-        cell->get_dof_indices(cell_dofs);
-        for (unsigned int k = 0; k < cell_dofs.size(); ++k)
-          if (fe.system_to_component_index(k).first == 2)
-            sets.union_set(cell_dofs[first], cell_dofs[k]);
-      }
-    for (const auto &line : topology_.get_lines())
-      for (const auto &entry : line.entries)
-        if (line.index >= n_velocity)
-          sets.union_set(line.index, entry.first);
-    std::map<unsigned int, unsigned int> part; // representative -> number
-    for (unsigned int i = n_velocity; i < n; ++i)
-      {
-        const unsigned int number =
-          part.emplace(sets.find_set(i), part.size()).first->second;
-        parts_.resize(part.size());
-        parts_[number].push_back(i);
-      }
-    for (const auto &cell : dofs_.active_cell_iterators())
-      {
-        cell->get_dof_indices(cell_dofs);
-        part_of_cell_.push_back(part.at(sets.find_set(cell_dofs[first])));
-      }
   }
 
 
@@ -182,21 +143,5 @@ namespace asperity
   FluidSpace::periodic_ids() const
   {
     return periodic_ids_;
-  }
-
-
-
-  const std::vector<std::vector<unsigned int>> &
-  FluidSpace::parts() const
-  {
-    return parts_;
-  }
-
-
-
-  unsigned int
-  FluidSpace::part_of_cell(const unsigned int cell) const
-  {
-    return part_of_cell_[cell];
   }
 } // namespace asperity

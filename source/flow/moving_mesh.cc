@@ -102,7 +102,7 @@ namespace asperity
                                        dealii::update_JxW_values);
     std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
     Vector                                       local(dofs.size());
-    for (const auto &cell : space_.dofs().active_cell_iterators())
+    for (const auto &cell : space_.cells())
       for (const unsigned int f : cell->face_indices())
         {
           if (!cell->at_boundary(f) ||

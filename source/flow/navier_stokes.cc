@@ -134,35 +134,21 @@ namespace asperity
   std::string
   NavierStokes::prepare()
   {
-    const auto prescribed = boundary_.prescribed(time());
+    std::map<unsigned int, double> prescribed = boundary_.prescribed(time());
+    prescribe_inner_walls(prescribed);
     level.update();
-    constraints.copy_from(space_.topology());
-    dealii::AffineConstraints<double> all;
-    for (const auto &entry : prescribed)
-      all.add_line(entry.first);
-    for (const unsigned int i : level.held_dofs())
-      all.add_line(i);
-    all.close();
-    constraints.merge(all,
-                      dealii::AffineConstraints<
-                        double>::MergeConflictBehavior::left_object_wins);
-    constraints.close();
-    std::vector<unsigned int> now;
-    for (const auto &line : constraints.get_lines())
-      now.push_back(line.index);
-    if (now != constrained)
-      is_factorised = false;
-    constrained.swap(now);
-
+    constrain(prescribed);
     for (const auto &entry : prescribed)
       u(entry.first) = entry.second;
+    for (const unsigned int i : space_.idle_dofs())
+      u(i) = 0.;
     space_.topology().distribute(u);
 
-    cell_size =
-      std::sqrt(volume() / space_.dofs().get_triangulation().n_active_cells());
+    cell_size     = std::sqrt(volume() / space_.cells().size());
     volume_source = 0.;
     if (!material_walls.empty())
       mesh.add_swept_volume_defect(material_walls, volume_source);
+    level.impose_volumes(wanted_volumes, volume_source);
     const std::string problem =
       level.balance(u, volume_source, options.flux_tolerance);
     source = volume_source;
@@ -256,6 +242,8 @@ namespace asperity
     R += source;
     for (const auto &line : constraints.get_lines())
       R(line.index) = 0.;
+    for (unsigned int i = space_.n_velocity_dofs(); i < u.size(); ++i)
+      scale(i) += std::abs(volume_source(i));
     update_scales();
   }
 
@@ -312,6 +300,7 @@ namespace asperity
   NavierStokes::linearize(const Vector &u, Vector &R)
   {
     assemble(u, R, &matrix);
+    fill_empty_rows();
     is_factorised = false;
     return true;
   }

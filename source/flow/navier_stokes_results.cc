@@ -2,11 +2,11 @@
 #include <asperity/flow/navier_stokes.h>
 
 #include <deal.II/fe/fe_values.h>
-#include <deal.II/grid/grid_tools.h>
 #include <deal.II/numerics/data_component_interpretation.h>
 #include <deal.II/numerics/vector_tools.h>
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 // What a flow knows about itself, and its state.
@@ -36,6 +36,7 @@ namespace asperity
     archive << time << dt << n_steps;
     for (const auto *v : vectors(*this))
       archive << *v;
+    archive << active;
   }
 
 
@@ -46,6 +47,7 @@ namespace asperity
     archive >> time >> dt >> n_steps;
     for (auto *v : vectors(*this))
       archive >> fixed_length(*v, "unknowns of a flow");
+    archive >> fixed_length(active, "cells of a flow");
   }
 
 
@@ -152,8 +154,8 @@ namespace asperity
   double
   NavierStokes::volume() const
   {
-    return dealii::GridTools::volume(space_.dofs().get_triangulation(),
-                                     mapping());
+    const std::vector<double> parts = part_volumes();
+    return std::accumulate(parts.begin(), parts.end(), 0.);
   }
 
 
@@ -224,7 +226,8 @@ namespace asperity
             u_older,
             mesh.old_displacement(),
             mesh.older_displacement(),
-            divergence};
+            divergence,
+            space_.active()};
   }
 
 
@@ -232,6 +235,8 @@ namespace asperity
   void
   NavierStokes::set_state(const FluidState &state)
   {
+    if (state.active != space_.active())
+      set_active(state.active);
     time_old   = state.time;
     dt_old     = state.dt;
     dt         = 0.;

@@ -31,8 +31,8 @@ namespace asperity
   void
   PressureLevel::update()
   {
-    std::fill(is_enclosed.begin(), is_enclosed.end(), true);
-    for (const auto &cell : space.dofs().active_cell_iterators())
+    is_enclosed.assign(space.parts().size(), true);
+    for (const auto &cell : space.cells())
       for (const auto &face : cell->face_iterators())
         if (face->at_boundary() &&
             space.periodic_ids().count(face->boundary_id()) == 0 &&
@@ -73,31 +73,9 @@ namespace asperity
                          Vector       &source,
                          const double  tolerance) const
   {
-    std::vector<double>     net(is_enclosed.size()), gross(is_enclosed.size());
-    const dealii::QGauss<1> quadrature(2 * space.degree() + 1);
-    dealii::FEFaceValues<2> face(mesh.mapping(),
-                                 space.dofs().get_fe(),
-                                 quadrature,
-                                 dealii::update_values |
-                                   dealii::update_normal_vectors |
-                                   dealii::update_JxW_values);
-    std::vector<dealii::Tensor<1, 2>> v(quadrature.size());
-    for (const auto &cell : space.dofs().active_cell_iterators())
-      for (const unsigned int f : cell->face_indices())
-        {
-          const unsigned int part =
-            space.part_of_cell(cell->active_cell_index());
-          if (!cell->at_boundary(f) || !is_enclosed[part])
-            continue;
-          face.reinit(cell, f);
-          face[velocity_field].get_function_values(u, v);
-          for (const unsigned int q : face.quadrature_point_indices())
-            {
-              net[part] += v[q] * face.normal_vector(q) * face.JxW(q);
-              gross[part] += v[q].norm() * face.JxW(q);
-            }
-        }
-    const Vector weight = weights();
+    const std::vector<double> net   = integrate_divergence(space.dofs(), u),
+                              gross = integrate_speed(u);
+    const Vector weight             = weights();
     for (unsigned int part = 0; part < is_enclosed.size(); ++part)
       if (is_enclosed[part])
         {
@@ -120,6 +98,108 @@ namespace asperity
             source(i) += excess * weight(i) / area;
         }
     return "";
+  }
+
+
+
+  std::vector<double>
+  PressureLevel::integrate_divergence(const dealii::DoFHandler<2> &dofs,
+                                      const Vector                &field) const
+  {
+    // By the divergence theorem; inner walls need no care that way.
+    const unsigned int      degree = space.degree();
+    const dealii::QGauss<2> quadrature(2 * degree + 1);
+    dealii::FEValues<2>     values(mesh.mapping(),
+                               dofs.get_fe(),
+                               quadrature,
+                               dealii::update_gradients |
+                                 dealii::update_JxW_values);
+    std::vector<double>     divergence(quadrature.size());
+    std::vector<double>     net(space.parts().size());
+    for (const auto &cell : space.cells())
+      {
+        values.reinit(FluidSpace::Cell(
+          &cell->get_triangulation(), cell->level(), cell->index(), &dofs));
+        values[velocity_field].get_function_divergences(field, divergence);
+        double &sum = net[space.part_of_cell(cell->active_cell_index())];
+        for (const unsigned int q : values.quadrature_point_indices())
+          sum += divergence[q] * values.JxW(q);
+      }
+    return net;
+  }
+
+
+
+  std::vector<double>
+  PressureLevel::integrate_speed(const Vector &u) const
+  {
+    const dealii::QGauss<1>           quadrature(2 * space.degree() + 1);
+    dealii::FEFaceValues<2>           face(mesh.mapping(),
+                                 space.dofs().get_fe(),
+                                 quadrature,
+                                 dealii::update_values |
+                                   dealii::update_JxW_values);
+    std::vector<dealii::Tensor<1, 2>> v(quadrature.size());
+    std::vector<double>               gross(space.parts().size());
+    for (const auto &cell : space.cells())
+      for (const unsigned int f : cell->face_indices())
+        {
+          if (!cell->at_boundary(f))
+            continue;
+          face.reinit(cell, f);
+          face[velocity_field].get_function_values(u, v);
+          for (const unsigned int q : face.quadrature_point_indices())
+            gross[space.part_of_cell(cell->active_cell_index())] +=
+              v[q].norm() * face.JxW(q);
+        }
+    return gross;
+  }
+
+
+
+  std::vector<double>
+  PressureLevel::volumes() const
+  {
+    const dealii::QGauss<2> quadrature(space.degree() + 1);
+    dealii::FEValues<2>     values(mesh.mapping(),
+                               space.dofs().get_fe(),
+                               quadrature,
+                               dealii::update_JxW_values);
+    std::vector<double>     volume(space.parts().size());
+    for (const auto &cell : space.cells())
+      {
+        values.reinit(cell);
+        for (const double JxW : values.get_JxW_values())
+          volume[space.part_of_cell(cell->active_cell_index())] += JxW;
+      }
+    return volume;
+  }
+
+
+
+  void
+  PressureLevel::impose_volumes(const std::vector<double> &wanted,
+                                Vector                    &source) const
+  {
+    if (wanted.empty())
+      return;
+    const std::vector<double> present = volumes();
+    const std::vector<double> swept =
+      integrate_divergence(space.geometry_dofs(), mesh.velocity());
+    const Vector weight = weights();
+    for (unsigned int part = 0; part < wanted.size(); ++part)
+      {
+        double missing =
+          swept[part] + mesh.rate().now * (wanted[part] - present[part]);
+        double area = 0.;
+        for (const unsigned int i : space.parts()[part])
+          {
+            missing -= source(i);
+            area += weight(i);
+          }
+        for (const unsigned int i : space.parts()[part])
+          source(i) += missing * weight(i) / area;
+      }
   }
 
 
@@ -159,7 +239,7 @@ namespace asperity
     Vector                                       weight(space.dofs().n_dofs());
     dealii::Vector<double>                       local(fe.n_dofs_per_cell());
     std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
-    for (const auto &cell : space.dofs().active_cell_iterators())
+    for (const auto &cell : space.cells())
       {
         values.reinit(cell);
         local = 0.;

@@ -36,6 +36,41 @@ namespace asperity
 
 
 
+  WallNodes::WallNodes(const FluidSpace &space)
+    : space(space)
+  {}
+
+
+
+  WallNodes
+  WallNodes::on_inner_walls(const FluidSpace &space)
+  {
+    const auto                                  &fe = space.dofs().get_fe();
+    const auto                                  &velocity = fe.base_element(0);
+    WallNodes                                    walls(space);
+    std::vector<dealii::types::global_dof_index> cell_dofs(
+      fe.n_dofs_per_cell());
+    std::set<unsigned int> known;
+    for (const auto &cell : space.cells())
+      {
+        cell->get_dof_indices(cell_dofs);
+        for (unsigned int a = 0; a < velocity.n_dofs_per_cell(); ++a)
+          {
+            const unsigned int i =
+              cell_dofs[fe.component_to_system_index(0, a)];
+            const unsigned int j =
+              cell_dofs[fe.component_to_system_index(1, a)];
+            if (!space.is_on_inner_wall(i) || !known.insert(i).second)
+              continue;
+            walls.place.push_back({cell, velocity.unit_support_point(a)});
+            walls.dofs.push_back({{i, j}});
+          }
+      }
+    return walls;
+  }
+
+
+
   unsigned int
   WallNodes::size() const
   {

@@ -106,7 +106,7 @@ namespace flow_examples
     std::vector<Tensor<1, 2>>                v_h(quadrature.size());
     std::vector<double>                      p_h(quadrature.size());
     FlowError                                error;
-    for (const auto &cell : flow.space().dofs().active_cell_iterators())
+    for (const auto &cell : flow.space().cells())
       {
         values.reinit(cell);
         values[velocity].get_function_values(flow.solution(), v_h);

@@ -33,6 +33,13 @@ namespace asperity
    * pressure (component 2), unknowns numbered velocity first, and the space of
    * the mesh displacement. The mesh may have hanging nodes and must not change
    * while this object lives.
+   *
+   * Cells can be switched off, as the domain of a flow falls into pieces and
+   * joins again (activated and deactivated elements, Lee (2025), section
+   * 2.2). Unknowns keep their numbers. Those of cells that are
+   * off only are idle; where cells that are on and off meet is an inner wall.
+   * With hp::FECollection and FE_Nothing the equations would be the same, but
+   * all unknowns would be numbered anew by each switch.
    */
   class FluidSpace
   {
@@ -87,12 +94,39 @@ namespace asperity
     const BoundaryIds &
     periodic_ids() const;
 
-    /** Pressure unknowns by connected part of the mesh, in ascending order:
-     *  each part has a pressure level of its own. */
+    using Cell = dealii::DoFHandler<2>::active_cell_iterator;
+
+    /** Switches cells on and off, by active_cell_index(); at first all are on.
+     *  @throws InputError if there are not as many values as cells */
+    void
+    set_active(const std::vector<bool> &active);
+
+    const std::vector<bool> &
+    active() const;
+
+    /** The cells that are on, as seen by dofs(). */
+    const std::vector<Cell> &
+    cells() const;
+
+    /** An unknown of cells that are off only; so are its images by
+     *  periodicity. */
+    bool
+    is_idle(const unsigned int unknown) const;
+
+    /** Idle unknowns that topology() does not constrain. */
+    std::vector<unsigned int>
+    idle_dofs() const;
+
+    /** An unknown of a cell that is on and of one that is off. */
+    bool
+    is_on_inner_wall(const unsigned int unknown) const;
+
+    /** Pressure unknowns by connected part of the cells that are on, in
+     *  ascending order: each part has a pressure level of its own. */
     const std::vector<std::vector<unsigned int>> &
     parts() const;
 
-    /** Cell index (active_cell_index()) -> part. */
+    /** Cell index (active_cell_index()) of a cell that is on -> part. */
     unsigned int
     part_of_cell(const unsigned int cell) const;
 
@@ -102,6 +136,10 @@ namespace asperity
 
     void
     make_topology(const std::vector<PeriodicSides> &periodic);
+
+    /** Which unknowns belong to cells that are on and off. */
+    void
+    mark_unknowns();
 
     void
     find_parts();
@@ -113,6 +151,9 @@ namespace asperity
     dealii::DoFHandler<2>                  dofs_, geometry_dofs_;
     dealii::AffineConstraints<double>      topology_;
     BoundaryIds                            periodic_ids_;
+    std::vector<bool>                      active_;
+    std::vector<Cell>                      cells_;
+    std::vector<bool>                      in_active, in_inactive; ///< unknowns
     std::vector<std::vector<unsigned int>> parts_;
     std::vector<unsigned int>              part_of_cell_;
     unsigned int                           n_velocity = 0;

@@ -67,6 +67,7 @@ namespace asperity
     dealii::Vector<double> u, u_old;     ///< at t_n and t_{n-1}
     dealii::Vector<double> displacement, displacement_old; ///< of the mesh
     dealii::Vector<double> divergence; ///< at t_n, see NavierStokes
+    std::vector<bool>      active;     ///< cells, by active_cell_index()
 
     void
     save(OutputArchive &archive) const;
@@ -104,6 +105,10 @@ namespace asperity
    *
    * Walls are sets of boundary ids; nodal values on them are in the order of
    * boundary().nodes(ids), which are the velocity nodes.
+   *
+   * Cells that are off (set_active()) hold no fluid. Where they meet those that
+   * are on, the fluid has the velocity of the mesh, also where a boundary
+   * begins there: no fluid crosses an inner wall.
    */
   class NavierStokes : private NonlinearSystem
   {
@@ -124,6 +129,35 @@ namespace asperity
      * velocity wall_mesh_velocity(). */
     void
     set_material_walls(const BoundaryIds &ids);
+
+    // Domain
+
+    /**
+     * Switches cells on and off between two steps, by active_cell_index(); at
+     * first all are on. Cells that become part of the flow have the velocity
+     * that the mesh had in the last step as their history. Forgets what
+     * set_part_volumes() said.
+     * @throws InputError as FluidSpace::set_active()
+     */
+    void
+    set_active(const std::vector<bool> &active);
+
+    /**
+     * The areas of space().parts() at the end of the step [m^2], from which
+     * errors do not accumulate, whatever the path: the continuity equation of a
+     * part becomes, up to what is spread evenly over it,
+     *   int (div v - div w) = a_0 (area wanted - area of the mesh),
+     * a_0 = mesh_rate(). Where the walls have the velocity of the fluid, the
+     * area is the wanted one. An enclosed part has no solution unless it is by
+     * itself. Empty: none is wanted.
+     * @throws InputError if there are not as many values as parts
+     */
+    void
+    set_part_volumes(const std::vector<double> &volumes);
+
+    /** Areas of space().parts() on the present mesh [m^2]. */
+    std::vector<double>
+    part_volumes() const;
 
     // Mesh motion
 
@@ -220,7 +254,7 @@ namespace asperity
     bool
     is_enclosed() const;
 
-    /** Area of the flow [m^2]. */
+    /** Area of the cells that are on [m^2]. */
     double
     volume() const;
 
@@ -280,6 +314,18 @@ namespace asperity
     std::string
     prepare();
 
+    /** Hanging nodes, periodicity, what is prescribed, held and idle. */
+    void
+    constrain(const std::map<unsigned int, double> &prescribed);
+
+    /** Velocity of the mesh at inner walls, in place of what boundaries say. */
+    void
+    prescribe_inner_walls(std::map<unsigned int, double> &prescribed) const;
+
+    /** A line of the matrix that no cell has written to gets the diagonal 1. */
+    void
+    fill_empty_rows();
+
     void
     update_scales();
 
@@ -304,7 +350,9 @@ namespace asperity
     FluidAssembler                    assembler;
     PressureLevel                     level;
     BoundaryIds                       material_walls;
-    dealii::AffineConstraints<double> constraints; ///< homogeneous
+    std::unique_ptr<WallNodes>        inner_walls; ///< null: all cells are on
+    std::vector<double>               wanted_volumes; ///< of parts, or empty
+    dealii::AffineConstraints<double> constraints;    ///< homogeneous
     dealii::SparsityPattern           pattern;
     dealii::SparseMatrix<double>      matrix;
     FluidSchur                        schur;

@@ -45,11 +45,32 @@ namespace asperity
     std::string
     balance(const Vector &u, Vector &source, const double tolerance) const;
 
+    /**
+     * Sees to the areas of the parts, see NavierStokes::set_part_volumes().
+     * @param volumes wanted [m^2], one a part; empty: none is
+     * @param source as for balance(); its sum over a part is replaced
+     */
+    void
+    impose_volumes(const std::vector<double> &volumes, Vector &source) const;
+
+    /** Areas of the parts on the present mesh [m^2]. */
+    std::vector<double>
+    volumes() const;
+
     /** Shifts the pressure of enclosed parts to this mean [Pa]. */
     void
     fix_mean(Vector &u, const double mean) const;
 
   private:
+    /** Over each part, of the divergence of the first two components. */
+    std::vector<double>
+    integrate_divergence(const dealii::DoFHandler<2> &dofs,
+                         const Vector                &field) const;
+
+    /** |v| over the outer boundary of each part. */
+    std::vector<double>
+    integrate_speed(const Vector &u) const;
+
     /** Integrals of the pressure functions. */
     Vector
     weights() const;

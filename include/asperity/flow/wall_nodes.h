@@ -24,6 +24,10 @@ namespace asperity
   public:
     WallNodes(const FluidSpace &space, const BoundaryIds &ids);
 
+    /** The nodes of the inner walls, as they are now. */
+    static WallNodes
+    on_inner_walls(const FluidSpace &space);
+
     unsigned int
     size() const;
 
@@ -44,6 +48,8 @@ namespace asperity
     extract_geometry(const dealii::Vector<double> &field) const;
 
   private:
+    explicit WallNodes(const FluidSpace &space);
+
     struct Place
     {
       dealii::DoFHandler<2>::active_cell_iterator cell;
