@@ -19,16 +19,18 @@ namespace asperity
     switch (law)
       {
         case DensityLaw::murnaghan:
-          return std::pow(1. + modulus_derivative * pressure / bulk_modulus,
+          return ambient_ratio *
+                 std::pow(1. + modulus_derivative * pressure / bulk_modulus,
                           1. / modulus_derivative);
         case DensityLaw::dowson_higginson:
-          return 1. + dh_rise * pressure / (1. + dh_limit * pressure);
+          return ambient_ratio *
+                 (1. + dh_rise * pressure / (1. + dh_limit * pressure));
         case DensityLaw::constant_modulus:
-          return std::exp(pressure / bulk_modulus);
+          return ambient_ratio * std::exp(pressure / bulk_modulus);
         case DensityLaw::incompressible:
           break;
       }
-    return 1.;
+    return ambient_ratio;
   }
 
 
@@ -39,16 +41,18 @@ namespace asperity
     switch (law)
       {
         case DensityLaw::murnaghan:
-          return std::pow(1. + modulus_derivative * pressure / bulk_modulus,
+          return ambient_ratio *
+                 std::pow(1. + modulus_derivative * pressure / bulk_modulus,
                           1. / modulus_derivative - 1.) /
                  bulk_modulus;
         case DensityLaw::dowson_higginson:
           {
             const double denominator = 1. + dh_limit * pressure;
-            return dh_rise / (denominator * denominator);
+            return ambient_ratio * dh_rise / (denominator * denominator);
           }
         case DensityLaw::constant_modulus:
-          return std::exp(pressure / bulk_modulus) / bulk_modulus;
+          return ambient_ratio * std::exp(pressure / bulk_modulus) /
+                 bulk_modulus;
         case DensityLaw::incompressible:
           break;
       }
@@ -58,8 +62,9 @@ namespace asperity
 
 
   double
-  LubricantDensity::pressure(const double ratio) const
+  LubricantDensity::pressure(const double density_ratio) const
   {
+    const double ratio = density_ratio / ambient_ratio;
     switch (law)
       {
         case DensityLaw::murnaghan:

@@ -123,6 +123,27 @@ namespace asperity
     declare_density(density, compressibility, parameters);
     declare_shear_law(viscosity, parameters);
     declare_pressure_laws(viscosity, parameters);
+    temperature.declare(parameters);
+  }
+
+
+
+  LubricantParameters
+  LubricantParameters::at(const double T, const double T_of_volume) const
+  {
+    LubricantParameters oil = *this;
+    if (temperature.law == TemperatureLaw::none)
+      return oil;
+    const double shift =
+      temperature.viscosity(viscosity.viscosity, T) / viscosity.viscosity;
+    oil.viscosity.viscosity *= shift;
+    oil.viscosity.infinite_shear_viscosity *= shift;
+    oil.viscosity.time_constant *= shift;
+    oil.density *= temperature.density_ratio(T);
+    oil.compressibility.bulk_modulus *= temperature.modulus_ratio(T);
+    oil.compressibility.ambient_ratio =
+      temperature.density_ratio(T) / temperature.density_ratio(T_of_volume);
+    return oil;
   }
 
 
@@ -168,5 +189,43 @@ namespace asperity
         format_quantity(LubricantViscosity::roelands_viscosity, "Pa s") +
         " for the law of Roelands.");
     check();
+  }
+
+
+
+  void
+  LubricantParameters::check_temperature(const ParameterDeclarator &parameters,
+                                         const double               T) const
+  {
+    const LubricantTemperature &law = temperature;
+    if (law.law == TemperatureLaw::none)
+      return;
+    if (law.law == TemperatureLaw::vogel &&
+        viscosity.pressure_law == PressureLaw::roelands)
+      throw InputError(parameters.where("Lubricant/Temperature law") +
+                       ": found Vogel with the Pressure law Roelands, which "
+                       "falls where a hot oil is thinner than 6.31e-5 Pa s; "
+                       "expected Roelands for both, or another pressure law.");
+    if (law.law == TemperatureLaw::roelands &&
+        viscosity.viscosity <= LubricantViscosity::roelands_viscosity)
+      throw InputError(
+        parameters.where("Lubricant/Viscosity") + ": found " +
+        format_quantity(viscosity.viscosity, "Pa s") + "; expected more than " +
+        format_quantity(LubricantViscosity::roelands_viscosity, "Pa s") +
+        " for the law of Roelands.");
+    const std::string reference = "Lubricant/Temperature/Reference temperature";
+    if (law.reference <= law.lowest())
+      throw InputError(parameters.where(reference) + ": found " +
+                       format_quantity(law.reference, "degC") +
+                       "; expected more than " +
+                       format_quantity(law.lowest(), "degC") +
+                       ", where the law of the viscosity ends.");
+    const double solid = law.glass_temperature(viscosity.viscosity);
+    if (T <= solid)
+      throw InputError(parameters.where("Load/Temperature") + ": found " +
+                       format_quantity(T, "degC") +
+                       ", at which the oil is a glass by its Temperature law; "
+                       "expected more than " +
+                       format_quantity(solid, "degC", 4) + ".");
   }
 } // namespace asperity

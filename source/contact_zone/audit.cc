@@ -256,6 +256,10 @@ namespace asperity
                                               LubricantModel::reynolds;
     }
 
+    /** Temperature from which mineral oil decomposes thermally within minutes
+     *  (J. G. Speight, The Chemistry and Technology of Petroleum, 2014) [K]. */
+    constexpr double cracking = 623.15;
+
     void
     audit_lubricant(const SceneParameters &parameters,
                     const Scene           &scene,
@@ -265,7 +269,8 @@ namespace asperity
       audit.lubricant                          = lubrication.model;
       if (lubrication.model == LubricantModel::none)
         return;
-      const LubricantParameters &oil = lubrication.oil;
+      const double              T   = parameters.load.temperature;
+      const LubricantParameters oil = lubrication.oil.at(T, T);
       const double p = parameters.load.pressure, v = parameters.load.velocity,
                    eta = oil.viscosity.viscosity,
                    h   = scene.tool_surface.mean() - scene.chip_surface.mean();
@@ -278,6 +283,12 @@ namespace asperity
          "surfaces touch"});
       if (!scene.oil.warning.empty())
         audit.warnings.push_back(scene.oil.warning);
+      if (oil.temperature.law != TemperatureLaw::none && T > cracking)
+        audit.warnings.push_back(
+          "The oil is as hot as " + format_quantity(T, "degC", 4) +
+          ", where mineral oil cracks (from about " +
+          format_quantity(cracking, "degC") +
+          " on): its viscosity and density are extrapolations.");
       audit.entries.push_back(
         {"compression of the oil at the load",
          1. - 1. / oil.compressibility.ratio(p),

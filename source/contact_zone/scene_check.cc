@@ -104,6 +104,8 @@ namespace asperity
     tool.check(parameters, "Tool");
     chip.check(parameters, "Chip surface");
     lubrication.check(parameters);
+    if (lubrication.model != LubricantModel::none)
+      lubrication.oil.check_temperature(parameters, load.temperature);
     mesh.check(parameters, geometry.height);
     material.check(parameters);
     protocol.check(parameters);

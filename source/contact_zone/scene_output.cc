@@ -225,6 +225,7 @@ namespace asperity
       summary["part_of_void_at_start"] = scene.oil.part_at_start;
       summary["part_of_void_at_touch"] =
         number_or_null(scene.oil.part_at_touch);
+      summary["temperature"] = run.oil_temperature();
       summary["initial_gap"] = scene.oil.initial_gap;
       summary["pressure"]    = friction.oil_pressure;
       summary["load_share"]  = number_or_null(

@@ -109,6 +109,7 @@ namespace asperity
                                     state_.time + dt,
                                     dt);
     };
+    warm_oil();
     begin_lubricant();
     scene.chip->set_time_step(dt);
     Vector load = scene.bottom_load();
@@ -133,6 +134,17 @@ namespace asperity
         begin_lubricant();
       }
     return false;
+  }
+
+
+
+  void
+  SlidingRun::warm_oil()
+  {
+    const LubricantParameters &oil = parameters.lubrication.oil;
+    if (scene.lubricant && oil.temperature.law != TemperatureLaw::none)
+      scene.lubricant->set_oil(
+        oil.at(oil_temperature(), parameters.load.temperature));
   }
 
 

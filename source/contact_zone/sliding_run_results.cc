@@ -52,6 +52,14 @@ namespace asperity
 
 
 
+  double
+  SlidingRun::oil_temperature() const
+  {
+    return 0.5 * (parameters.load.temperature + scene.interface_temperature());
+  }
+
+
+
   void
   SlidingRun::record_lubricant(FrictionRow &row) const
   {

@@ -37,8 +37,9 @@ namespace asperity
   double
   FilmLubricant::density_ratio(const double pressure) const
   {
-    return pressure < 0. ? 1. + density.derivative(0.) * pressure :
-                           density.ratio(pressure);
+    return pressure < 0. ?
+             density.ratio(0.) + density.derivative(0.) * pressure :
+             density.ratio(pressure);
   }
 
 

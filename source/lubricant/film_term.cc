@@ -99,6 +99,14 @@ namespace asperity
 
 
   void
+  FilmTerm::set_oil(const LubricantParameters &oil)
+  {
+    film.set_lubricant(oil);
+  }
+
+
+
+  void
   FilmTerm::begin_step(const Vector &,
                        const unsigned int,
                        const double,

@@ -78,6 +78,14 @@ namespace asperity
 
 
 
+  void
+  ReynoldsFilm::set_lubricant(const LubricantParameters &lubricant)
+  {
+    lubricant_ = FilmLubricant(lubricant);
+  }
+
+
+
   FilmState
   ReynoldsFilm::state_beside(const std::optional<unsigned int> &cell,
                              const FilmState                   &end,

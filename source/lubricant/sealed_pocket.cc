@@ -106,26 +106,27 @@ namespace asperity
   bool
   SealedPocket::set_pressure(Enclosure &pocket) const
   {
-    const double V   = pocket.volume;
-    const double V_r = pocket.reference_volume;
+    const double V = pocket.volume;
+    // of the oil at p = 0
+    const double V_0 = pocket.reference_volume / options.density.ambient_ratio;
     pocket.pressure = pocket.stiffness = 0.;
-    if (V_r == 0.)
+    if (V_0 == 0.)
       return true;
     if (V <= 0.)
       return false;
     if (options.density.law == DensityLaw::incompressible)
       {
         const double p =
-          pocket.multiplier + options.penalty_modulus * (1. - V / V_r);
+          pocket.multiplier + options.penalty_modulus * (1. - V / V_0);
         if (p <= 0.)
           return true;
         pocket.pressure  = p;
-        pocket.stiffness = options.penalty_modulus / V_r;
+        pocket.stiffness = options.penalty_modulus / V_0;
         return true;
       }
-    if (V >= V_r)
+    if (V >= V_0)
       return true;
-    const double ratio = V_r / V;
+    const double ratio = pocket.reference_volume / V;
     const double p     = options.density.pressure(ratio);
     if (!std::isfinite(p))
       return false;
@@ -198,6 +199,14 @@ namespace asperity
     return n_passes_ > maximal_passes ?
              "the volume of the incompressible oil was not met" :
              "";
+  }
+
+
+
+  void
+  SealedPocket::set_oil(const LubricantParameters &oil)
+  {
+    options.density = oil.compressibility;
   }
 
 

@@ -209,3 +209,21 @@ TEST_F(ImpossibleScene, no_oil_or_a_part_of_it_that_the_model_cannot_take)
             "expected part of void at start, or the model `pocket` or "
             "`Reynolds`.\n");
 }
+
+TEST_F(ImpossibleScene, oil_beyond_the_law_of_its_temperature)
+{
+  const std::string cold = in("Load", " set Temperature = -65 degC") +
+                           in("Lubrication", " set Model = Reynolds");
+  EXPECT_EQ(refusal(cold + in("Lubricant", " set Temperature law = Vogel")),
+            "Error: scene.prm, line 2, entry 'Load/Temperature': found -65 "
+            "degC, at which the oil is a glass by its Temperature law; "
+            "expected more than -51.17 degC.\n");
+  EXPECT_EQ(refusal(in("Lubrication", " set Model = Reynolds") +
+                    in("Lubricant",
+                       " set Temperature law = Vogel\n"
+                       " set Pressure law = Roelands")),
+            "Error: scene.prm, line 5, entry 'Lubricant/Temperature law': "
+            "found Vogel with the Pressure law Roelands, which falls where a "
+            "hot oil is thinner than 6.31e-5 Pa s; expected Roelands for both, "
+            "or another pressure law.\n");
+}

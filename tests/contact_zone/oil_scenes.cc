@@ -229,3 +229,51 @@ TEST(FilmScene, pressure_that_runs_away_ends_the_run_with_a_sentence)
         << message;
     }
 }
+
+TEST(WarmOil, at_its_reference_temperature_is_the_oil_without_a_law)
+{
+  for (const LubricantModel model :
+       {LubricantModel::pocket, LubricantModel::reynolds})
+    {
+      SceneParameters parameters            = pocket_scene(0.9, 300e6);
+      parameters.lubrication.model          = model;
+      parameters.material.heating.adiabatic = false;
+      const CompleteRun without(parameters);
+      parameters.lubrication.oil.temperature.law = TemperatureLaw::vogel;
+      const CompleteRun with(parameters);
+      for (std::size_t i = 0; i < with.rows().size(); ++i)
+        EXPECT_EQ(with.rows()[i].T_x, without.rows()[i].T_x) << i;
+    }
+}
+
+TEST(WarmOil, shears_as_its_viscosity)
+{
+  // Flooded, the film carries the load and shears by eta v/h.
+  SceneParameters parameters            = film_scene(1.);
+  parameters.material.heating.adiabatic = false;
+  parameters.load.temperature           = 348.15;
+  const CompleteRun     cold(parameters);
+  LubricantTemperature &law = parameters.lubrication.oil.temperature;
+  law.law                   = TemperatureLaw::vogel;
+  law.modulus_decay         = 0.;
+  const CompleteRun hot(parameters);
+  EXPECT_NEAR(hot.rows().back().shear_T_x / cold.rows().back().shear_T_x,
+              law.viscosity(0.032, 348.15) / 0.032,
+              0.05);
+  EXPECT_NEAR(hot.run.oil_temperature(), 348.15, 1e-10);
+}
+
+TEST(WarmOil, is_as_warm_as_the_mean_of_its_walls)
+{
+  SceneParameters parameters                 = film_scene(0.3);
+  parameters.lubrication.oil.temperature.law = TemperatureLaw::roelands;
+  parameters.load.pressure                   = 1300e6;
+  const CompleteRun run(parameters);
+  // Plastic work heats the chip alone.
+  const double chip = run.scene.interface_temperature();
+  EXPECT_GT(chip, parameters.load.temperature + 1.);
+  EXPECT_LT(chip, run.rows().back().max_temperature);
+  EXPECT_NEAR(run.run.oil_temperature(),
+              0.5 * (parameters.load.temperature + chip),
+              1e-10);
+}

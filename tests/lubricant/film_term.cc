@@ -171,11 +171,9 @@ namespace
   // The lift selects the branch of the gap: open, in part at the residual film.
   TEST_P(FilmTangent, is_that_of_finite_differences)
   {
-    FilmTerm   film(space,
-                  wavy_block(space),
-                  tool(1.5, 0.2),
-                  options_with(PressureLaw::barus, 0.8),
-                  n_chip);
+    FilmTermOptions options = options_with(PressureLaw::barus, 0.8);
+    options.oil.compressibility.ambient_ratio = 0.95; // warm oil
+    FilmTerm   film(space, wavy_block(space), tool(1.5, 0.2), options, n_chip);
     SprungFilm system(film, n_chip);
     Vector     u(n_chip + film.n_unknowns());
     film.initialize(u);
@@ -218,6 +216,20 @@ namespace
   }
 
   INSTANTIATE_TEST_SUITE_P(Gaps, FilmTangent, testing::Values(0., 0.35, 0.6));
+
+  TEST_F(Film, that_warms_up_between_fixed_walls_is_compressed)
+  {
+    FilmTermOptions options = options_with(PressureLaw::none, 1.);
+    FilmTerm   film(space, wavy_block(space), tool(1.5, 0.2), options, n_chip);
+    SprungFilm system(film, n_chip);
+    Vector     u(n_chip + film.n_unknowns());
+    film.initialize(u);
+    options.oil.compressibility.ambient_ratio = 0.97;
+    film.set_oil(options.oil);
+    ASSERT_TRUE(system.solve(u).converged);
+    for (const FilmState &state : film.film_states())
+      EXPECT_NEAR(state.pressure, 0.8 * (std::pow(1. / 0.97, 10.) - 1.), 1e-6);
+  }
 
   TEST_F(Film, flat_walls_that_slide_only_shear)
   {

@@ -144,10 +144,11 @@ namespace
   TEST_P(PocketLaw, tangent_is_that_of_finite_differences)
   {
     SealedPocketOptions options;
-    options.density.law          = GetParam();
-    options.density.bulk_modulus = 3.;
-    options.penalty_modulus      = 10.;
-    options.wetting              = 1.;
+    options.density.law           = GetParam();
+    options.density.bulk_modulus  = 3.;
+    options.density.ambient_ratio = 0.99; // warm oil
+    options.penalty_modulus       = 10.;
+    options.wetting               = 1.;
     // A lift compresses the oil; Dowson-Higginson counts in Pa.
     Vector lifted(u.size());
     for (unsigned int a = 0; a < space.n_functions(); ++a)
@@ -202,6 +203,24 @@ namespace
     const LubricantState state = pocket.state();
     EXPECT_EQ(state.max_pressure, 0.);
     EXPECT_NEAR(state.reference_volume, 0.5 * state.void_volume, 1e-14);
+  }
+
+  TEST_F(VoidBetweenWaves, oil_that_warms_up_in_a_full_void_is_compressed)
+  {
+    SealedPocketOptions options;
+    SealedPocket        pocket(space, geometry, tool, options);
+    Vector              R(u.size());
+    const double        mass = pocket.state().reference_volume;
+    LubricantParameters oil;
+    oil.compressibility.ambient_ratio = 0.96;
+    pocket.set_oil(oil);
+    ASSERT_TRUE(pocket.add(Vector(u.size()), R, nullptr));
+    // Murnaghan: K_0/K' ((1/0.96)^K' - 1)
+    EXPECT_NEAR(pocket.state().max_pressure,
+                1.6e8 * (std::pow(1. / 0.96, 10.) - 1.),
+                1.);
+    EXPECT_EQ(pocket.state().reference_volume, mass);
+    EXPECT_NEAR(pocket.state().oil_volume, pocket.state().void_volume, 1e-12);
   }
 
   TEST_F(VoidBetweenWaves, a_void_that_is_gone_gives_no_residual)

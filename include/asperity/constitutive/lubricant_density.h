@@ -12,16 +12,20 @@ namespace asperity
   };
 
   /**
-   * Density of a liquid over pressure, relative to that at p = 0. Pressures are
-   * in Pa above ambient; all laws also hold for small negative ones.
-   * F. D. Murnaghan, PNAS 30 (1944) 244-247; D. Dowson, G. R. Higginson,
-   * Elasto-hydrodynamic Lubrication (1966).
+   * Density of a liquid over pressure, relative to that at p = 0 and a
+   * reference temperature. Pressures are in Pa above ambient; all laws also
+   * hold for small negative ones. F. D. Murnaghan, PNAS 30 (1944) 244-247; D.
+   * Dowson, G. R. Higginson, Elasto-hydrodynamic Lubrication (1966).
    */
   struct LubricantDensity
   {
     DensityLaw law                = DensityLaw::murnaghan;
     double     bulk_modulus       = 1.6e9; ///< K0 [Pa]
     double     modulus_derivative = 10.;   ///< K' [-]
+
+    /** rho/rho0 at p = 0, which is not 1 at other temperatures than that of
+     *  rho0; a factor on all laws. */
+    double ambient_ratio = 1.;
 
     /** rho/rho0 at a pressure [Pa]. */
     double

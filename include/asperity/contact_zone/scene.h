@@ -52,6 +52,11 @@ namespace asperity
     double
     contact_element_length() const;
 
+    /** Mean temperature of the chip at its top, that of its uppermost Gauss
+     *  points, at the last accepted step [K]. */
+    double
+    interface_temperature() const;
+
     /** Vertical dead load on the bottom per pressure [m]: times p it is the
      *  load vector. */
     const dealii::Vector<double> &

@@ -97,6 +97,11 @@ namespace asperity
     double
     period() const;
 
+    /** The mean of tool and chip where they meet, at the last accepted step
+     *  [K]; the tool keeps its temperature. */
+    double
+    oil_temperature() const;
+
     const NewtonStatistics &
     newton_statistics() const;
 
@@ -114,6 +119,10 @@ namespace asperity
      *  each after a blank; empty if nothing is known. */
     std::string
     remedies() const;
+
+    /** Gives the oil of the next step its temperature. */
+    void
+    warm_oil();
 
     /** Norm of the chip's residual at which Newton's method ends [N/m]. */
     double

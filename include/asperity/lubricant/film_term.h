@@ -93,6 +93,9 @@ namespace asperity
         dealii::SparseMatrix<double> *tangent) override;
 
     void
+    set_oil(const LubricantParameters &oil) override;
+
+    void
     begin_step(const dealii::Vector<double> &u,
                const unsigned int            step,
                const double                  time,

@@ -11,6 +11,7 @@
 
 namespace asperity
 {
+  struct LubricantParameters;
   class InputArchive;
   class OutputArchive;
 
@@ -47,6 +48,12 @@ namespace asperity
       repeat, ///< loads have changed: solve for the chip again
       failed  ///< the step must be cut; reason() says why
     };
+
+    /** Takes the oil as it is at its present temperature, before a step; no
+     *  mass is lost. A flow that fills the gap keeps the oil of the start. */
+    virtual void
+    set_oil(const LubricantParameters &oil)
+    {}
 
     /** Before the iterations of step `step`, which lasts dt and ends at `time`
      *  [s]; u is the last accepted displacement. A step that is cut begins

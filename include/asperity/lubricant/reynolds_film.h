@@ -168,6 +168,10 @@ namespace asperity
     warning(const FilmGeometry           &geometry,
             const std::vector<FilmState> &states) const;
 
+    /** @throws InputError as the constructor */
+    void
+    set_lubricant(const LubricantParameters &lubricant);
+
   private:
     FilmState
     state_beside(const std::optional<unsigned int> &cell,

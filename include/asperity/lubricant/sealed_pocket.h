@@ -1,7 +1,7 @@
 #ifndef asperity_lubricant_sealed_pocket_h
 #define asperity_lubricant_sealed_pocket_h
 
-#include <asperity/constitutive/lubricant_density.h>
+#include <asperity/constitutive/lubricant_parameters.h>
 #include <asperity/lubricant/lubricant.h>
 #include <asperity/lubricant/pocket_tracker.h>
 #include <asperity/lubricant/void_volume.h>
@@ -80,6 +80,9 @@ namespace asperity
     rank_one_terms() const override;
 
     /** Finds the pockets at the start of the step. */
+    void
+    set_oil(const LubricantParameters &oil) override;
+
     void
     begin_step(const dealii::Vector<double> &u,
                const unsigned int            step,

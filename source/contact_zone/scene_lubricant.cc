@@ -1,0 +1,115 @@
+#include <asperity/contact_zone/scene.h>
+#include <asperity/lubricant/film_term.h>
+#include <asperity/lubricant/sealed_pocket.h>
+
+#include <algorithm>
+
+namespace asperity
+{
+  namespace
+  {
+    /** Tool and chip are as warm at the start. */
+    LubricantParameters
+    oil_at_start(const SceneParameters &parameters)
+    {
+      const double T = parameters.load.temperature;
+      return parameters.lubrication.oil.at(T, T);
+    }
+  } // namespace
+
+
+
+  void
+  Scene::build_lubricant(const SceneParameters &parameters)
+  {
+    const LubricationParameters &lubrication = parameters.lubrication;
+    initial_unknowns_.reinit(n_dofs());
+    if (lubrication.model == LubricantModel::reynolds)
+      build_film(parameters);
+    if (fills_gap(lubrication.model))
+      build_flow(parameters);
+    if (lubrication.model != LubricantModel::pocket)
+      return;
+    SealedPocketOptions options;
+    options.density         = oil_at_start(parameters).compressibility;
+    options.wetting         = oil.part_at_start;
+    options.oil_film        = oil.film;
+    options.sealing_gap     = lubrication.sealing_gap;
+    options.penalty_modulus = 1e6 * parameters.load.pressure;
+    lubricant               = std::make_unique<SealedPocket>(*space,
+                                               geometry,
+                                               tool_surface.curve,
+                                               options);
+  }
+
+
+
+  double
+  Scene::gap_scale(const SceneParameters &parameters) const
+  {
+    // Gaps are scaled by the tool, the chip, the start: by what is not flat.
+    for (const double scale : {tool_surface.maximum() - tool_surface.minimum(),
+                               chip_surface.maximum() - chip_surface.minimum(),
+                               parameters.geometry.initial_gap})
+      if (scale > 1e-9 * length)
+        return scale;
+    return parameters.lubrication.residual_film;
+  }
+
+
+
+  void
+  Scene::build_film(const SceneParameters &parameters)
+  {
+    const LubricationParameters &lubrication = parameters.lubrication;
+    FilmTermOptions              options;
+    options.oil            = oil_at_start(parameters);
+    options.wetting        = oil.part_at_start;
+    options.oil_film       = oil.film;
+    options.gap.residual   = lubrication.residual_film;
+    options.pressure_scale = parameters.load.pressure;
+    options.gap_scale      = gap_scale(parameters);
+    auto film              = std::make_unique<FilmTerm>(
+      *space, geometry, tool_surface.curve, options, n_dofs());
+    n_lubricant_unknowns = film->n_unknowns();
+    // The chip starts in touch if the oil leaves that room: a film that had to
+    // be squeezed out in the first step would resist as none does.
+    const double mean_gap = film->state().void_volume / length;
+    initial_unknowns_     = translation(
+      0., std::min(oil.initial_gap, (1. - oil.part_at_start) * mean_gap));
+    film->initialize(initial_unknowns_);
+    lubricant = std::move(film);
+  }
+
+
+
+  void
+  Scene::build_flow(const SceneParameters &parameters)
+  {
+    GapFlowOptions options = parameters.lubrication.gap_flow();
+    options.oil            = oil_at_start(parameters);
+    auto flow =
+      std::make_unique<GapFlow>(*space, geometry, tool_surface.curve, options);
+    gap_flow  = flow.get();
+    lubricant = std::move(flow);
+  }
+
+
+
+  double
+  Scene::interface_temperature() const
+  {
+    const BasisTable &table = chip->table();
+    double            top   = 0.;
+    for (const auto &p : table.parameter)
+      top = std::max(top, p[1]);
+    double area = 0., sum = 0.;
+    for (std::size_t q = 0; q < table.parameter.size(); ++q)
+      if (table.parameter[q][1] > top * (1. - 1e-9))
+        {
+          area += table.JxW[q];
+          sum += table.JxW[q] * chip->history()[q].temperature;
+        }
+    return sum / area;
+  }
+} // namespace asperity
