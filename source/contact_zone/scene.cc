@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace asperity
 {
@@ -102,18 +103,11 @@ namespace asperity
   void
   Scene::build_surfaces(const SceneParameters &parameters)
   {
-    tool_surface = make_surface(parameters.tool, parameters.geometry.length);
-    length       = tool_surface.period;
+    std::tie(tool_surface, chip_surface) = make_surfaces(parameters);
+    length                               = tool_surface.period;
     // Measured heights point out of the tool, and the tool is above.
     if (parameters.tool.kind == SurfaceKind::measured)
       tool_surface = tool_surface.mapped(-1., 0.);
-    chip_surface = make_surface(parameters.chip, length);
-    if (std::abs(chip_surface.period - length) > 1e-6 * length)
-      throw InputError("Chip surface: its period is " +
-                       format_quantity(chip_surface.period, "um") +
-                       "; expected that of the tool, " +
-                       format_quantity(length, "um") +
-                       "; crop or scale one of them.");
     const double height = parameters.geometry.height;
     chip_surface        = chip_surface.mapped(1., height);
     const double gap    = smallest_gap(chip_surface, tool_surface);

@@ -89,12 +89,16 @@ namespace asperity
         x[i] = i * profile.spacing;
       surface.period = profile.length();
       const SplineFit fit =
-        fit_periodic_graph(x,
-                           profile.heights,
-                           surface.period,
-                           parameters.spans.value_or(
-                             std::max<std::size_t>(8, n / 2)),
-                           parameters.degree);
+        parameters.fit == SurfaceFit::interpolation ?
+          interpolate_periodic_graph(profile.heights,
+                                     surface.period,
+                                     parameters.degree) :
+          fit_periodic_graph(x,
+                             profile.heights,
+                             surface.period,
+                             parameters.spans.value_or(
+                               std::max<std::size_t>(8, n / 2)),
+                             parameters.degree);
       surface.curve       = fit.curve;
       surface.fit_rms     = fit.report.rms_error;
       surface.description = "profile of " + parameters.topography.file + ", " +
@@ -117,6 +121,68 @@ namespace asperity
         default:
           return make_flat(length, parameters.degree);
       }
+  }
+
+
+
+  namespace
+  {
+    /** A measured surface again, with a profile that is cut to a period. */
+    Surface
+    cut_to_period(const Surface     &longer,
+                  SurfaceParameters  parameters,
+                  const double       period,
+                  const std::string &of_whom)
+    {
+      TopographyParameters &topography = parameters.topography;
+      const bool mirrored = topography.continuation == Continuation::mirror;
+      topography.length   = period / topography.scale_x / (mirrored ? 2. : 1.);
+      Surface           surface = make_measured(parameters);
+      TopographyReport &report  = *surface.topography;
+      const double      before  = longer.topography->profile_roughness.Rq,
+                   after        = report.profile_roughness.Rq;
+      report.steps.push_back(
+        "Common period: " + format_quantity(period, "um", 5) + " of the " +
+        of_whom + " instead of " + format_quantity(longer.period, "um", 5) +
+        ", " + format_quantity(100. * period / longer.period, "1", 3) +
+        " % of the length; Rq " + format_quantity(before, "um", 4) + " -> " +
+        format_quantity(after, "um", 4) + ".");
+      if (std::abs(after - before) > 0.1 * before)
+        report.warnings.push_back(
+          "The common period changes Rq from " +
+          format_quantity(before, "um", 4) + " to " +
+          format_quantity(after, "um", 4) +
+          ": the profile is not the same everywhere; choose a typical piece by "
+          "Profile start.");
+      return surface;
+    }
+
+    bool
+    same(const double one, const double other)
+    {
+      return std::abs(one - other) <= 1e-9 * std::max(one, other);
+    }
+  } // namespace
+
+
+
+  std::pair<Surface, Surface>
+  make_surfaces(const SceneParameters &parameters)
+  {
+    Surface tool = make_surface(parameters.tool, parameters.geometry.length),
+            chip = make_surface(parameters.chip, tool.period);
+    if (same(chip.period, tool.period))
+      return {tool, chip};
+    if (chip.period > tool.period)
+      chip = cut_to_period(chip, parameters.chip, tool.period, "tool");
+    else if (parameters.tool.kind == SurfaceKind::measured)
+      tool = cut_to_period(tool, parameters.tool, chip.period, "chip");
+    if (!same(chip.period, tool.period))
+      throw InputError(
+        "Chip surface: its period is " + format_quantity(chip.period, "um") +
+        "; expected that of the tool, " + format_quantity(tool.period, "um") +
+        "; crop or scale one of them.");
+    return {tool, chip};
   }
 
 

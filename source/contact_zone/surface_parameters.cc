@@ -58,6 +58,13 @@ namespace asperity
       "Spans of the periodic spline over a period. "
       "`automatic`: 40 for each period of the shortest "
       "harmonic, one for each 2 points of a measured profile.");
+    parameters.choice("Spline fit",
+                      fit,
+                      {{"least squares", SurfaceFit::least_squares},
+                       {"interpolation", SurfaceFit::interpolation}},
+                      "How the spline of a measured profile follows its "
+                      "points: by `least squares` on fewer spans, or through "
+                      "each of them (`interpolation`), noise included.");
     const auto in_topography = parameters.subsection("Topography");
     topography.declare(parameters);
   }
@@ -68,6 +75,8 @@ namespace asperity
   SurfaceParameters::check(const ParameterDeclarator &parameters,
                            const std::string         &section) const
   {
+    if (kind == SurfaceKind::measured)
+      check_fit(parameters, section);
     if (kind != SurfaceKind::harmonics)
       return;
     if (wave_numbers.empty())
@@ -97,6 +106,26 @@ namespace asperity
                        " waves in a period; expected at least " +
                        std::to_string(spans_per_wave * highest_wave_number()) +
                        ", so that the spline follows them.");
+  }
+
+
+
+  void
+  SurfaceParameters::check_fit(const ParameterDeclarator &parameters,
+                               const std::string         &section) const
+  {
+    if (fit != SurfaceFit::interpolation)
+      return;
+    if (spans)
+      throw InputError(parameters.where(section + "/Spline spans") +
+                       ": found " + std::to_string(*spans) +
+                       " with the Spline fit interpolation, which has one for "
+                       "each point; expected automatic.");
+    if (degree % 2 == 0)
+      throw InputError(parameters.where(section + "/Spline degree") +
+                       ": found " + std::to_string(degree) +
+                       " with the Spline fit interpolation; expected an odd "
+                       "degree, for which the points determine the spline.");
   }
 
 

@@ -259,6 +259,43 @@ namespace asperity
       return n_cut;
     }
 
+    /** Leaves as many samples of the profile as fit into the length that is
+     *  asked for, and sets their distance so that it is met. A mirrored profile
+     *  keeps both ends, and turns round there. */
+    void
+    meet_length(const TopographyParameters &p, TopographyReport &report)
+    {
+      if (p.length == 0.)
+        return;
+      Profile          &profile  = report.measured;
+      const bool        mirrored = p.continuation == Continuation::mirror;
+      const std::size_t n        = profile.heights.size() - (mirrored ? 1 : 0);
+      // Trimmed profiles are shorter.
+      const double length = std::min(p.length, n * profile.spacing);
+      if (length < p.length - profile.spacing)
+        report.warnings.push_back("Ends of the profile are missing: it is " +
+                                  micrometres(length) + " long instead of " +
+                                  micrometres(p.length) + ".");
+      const auto m = static_cast<std::size_t>(
+        std::floor(length / profile.spacing * (1. + 1e-9)));
+      const double h = length / m;
+      if (std::abs(h / profile.spacing - 1.) < 1e-9)
+        {
+          profile.heights.resize(m + (mirrored ? 1 : 0));
+          return;
+        }
+      const auto Rq = [&profile]() {
+        return micrometres(
+          profile_roughness(profile.heights, profile.spacing).Rq);
+      };
+      const std::string before =
+        "Resampled from " + micrometres(profile.spacing) + " to " +
+        micrometres(h) + " by a cubic spline, so that the length is " +
+        micrometres(length) + ", Rq " + Rq();
+      profile = resample(profile, h, m + (mirrored ? 1 : 0));
+      report.steps.push_back(before + " -> " + Rq() + ".");
+    }
+
     void
     take_profile(const TopographyParameters &p,
                  const HeightMap            &map,
@@ -278,6 +315,7 @@ namespace asperity
           " that the entry 'Largest missing fraction' allows; set Crop = "
           "hole-free, or move the profile.");
       report.n_filled = fill_gaps(heights);
+      meet_length(p, report);
       report.measured_roughness =
         profile_roughness(heights, report.measured.spacing);
       report.steps.push_back(

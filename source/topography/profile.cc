@@ -1,4 +1,5 @@
 #include <asperity/base/errors.h>
+#include <asperity/splines/spline_fit.h>
 #include <asperity/topography/profile.h>
 
 #include <algorithm>
@@ -136,8 +137,11 @@ namespace asperity
       {
         const double last  = profile.heights.size() - 1.;
         const double first = std::round(line.from / profile.spacing);
-        const double end =
+        double       end =
           line.to > 0. ? std::round(line.to / profile.spacing) : last;
+        // A length may name the outer edge of the map, one beyond the last.
+        if (end == last + 1.)
+          end = last;
         if (!(first >= 0. && first < end && end <= last))
           throw InputError(too_few(map, 0));
         profile.heights = {profile.heights.begin() + std::size_t(first),
@@ -146,5 +150,24 @@ namespace asperity
     if (profile.heights.size() < min_points)
       throw InputError(too_few(map, profile.heights.size()));
     return profile;
+  }
+
+  Profile
+  resample(const Profile &profile, const double spacing, const std::size_t n)
+  {
+    std::vector<double>           x;
+    std::vector<dealii::Point<2>> points;
+    for (std::size_t i = 0; i < profile.heights.size(); ++i)
+      {
+        x.push_back(i * profile.spacing);
+        points.emplace_back(x.back(), profile.heights[i]);
+      }
+    const SplineFit fit = interpolate(averaged_knots(x, 3), points, x);
+    Profile         result;
+    result.spacing = spacing;
+    for (std::size_t k = 0; k < n; ++k)
+      result.heights.push_back(
+        fit.curve.value(std::min(k * spacing, x.back()))[1]);
+    return result;
   }
 } // namespace asperity

@@ -108,8 +108,9 @@ namespace asperity
                           p.length,
                           "um",
                           Range::between(0., 1.),
-                          "Length of the profile before scaling; 0 um takes "
-                          "what the map has.");
+                          "Length of the profile before scaling, which is "
+                          "its period (half of it, mirrored); 0 um takes what "
+                          "the map has.");
       parameters.number("Largest missing fraction",
                         p.largest_missing_fraction,
                         Range::between(0., 1.),

@@ -103,7 +103,7 @@ namespace asperity
           Piece piece;
           piece.place        = place;
           piece.place.start  = first * profile.spacing;
-          piece.place.length = (n_piece - 1) * profile.spacing;
+          piece.place.length = n_piece * profile.spacing;
           const auto begin   = profile.heights.begin() + first;
           piece.profile      = {{begin, begin + n_piece}, profile.spacing};
           measure(piece);

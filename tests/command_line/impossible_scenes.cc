@@ -227,3 +227,17 @@ TEST_F(ImpossibleScene, oil_beyond_the_law_of_its_temperature)
             "hot oil is thinner than 6.31e-5 Pa s; expected Roelands for both, "
             "or another pressure law.\n");
 }
+
+TEST_F(ImpossibleScene, an_interpolation_that_its_points_do_not_determine)
+{
+  const std::string tool = " set Kind = measured\n"
+                           " set Spline fit = interpolation\n";
+  EXPECT_EQ(refusal(in("Tool", tool + " set Spline spans = 50")),
+            "Error: scene.prm, line 4, entry 'Tool/Spline spans': found 50 "
+            "with the Spline fit interpolation, which has one for each point; "
+            "expected automatic.\n");
+  EXPECT_EQ(refusal(in("Tool", tool + " set Spline degree = 4")),
+            "Error: scene.prm, line 4, entry 'Tool/Spline degree': found 4 "
+            "with the Spline fit interpolation; expected an odd degree, for "
+            "which the points determine the spline.\n");
+}

@@ -1,8 +1,10 @@
 #include <asperity/base/errors.h>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <fstream>
 #include <numeric>
 
 #include "scene_examples.h"
@@ -126,21 +128,116 @@ TEST(Scene, bottom_load_is_the_period)
   EXPECT_NEAR(sum, L, 1e-12 * L);
 }
 
-TEST(Scene, chip_of_another_period_than_the_tool_is_refused)
+namespace
+{
+  /** A text matrix of cos(2 pi x/5 um) 0.1 um; x of the samples in um. */
+  SurfaceParameters
+  measured_wave(const std::string &name,
+                const double       pixel,
+                const unsigned int n_pixels)
+  {
+    SurfaceParameters parameters;
+    parameters.kind = SurfaceKind::measured;
+    parameters.topography.file =
+      testing::TempDir() + name + "_" + std::to_string(getpid()) + ".txt";
+    std::ofstream file(parameters.topography.file);
+    file.precision(12);
+    for (unsigned int j = 0; j < 12; ++j)
+      for (unsigned int i = 0; i < n_pixels; ++i)
+        file << 0.1 * std::cos(2. * M_PI * pixel * i / 5.)
+             << (i + 1 < n_pixels ? " " : "\n");
+    parameters.topography.lateral_unit = "um";
+    parameters.topography.height_unit  = "um";
+    parameters.topography.spacing_x    = pixel * 1e-6;
+    parameters.topography.form         = FormChoice::none;
+    parameters.topography.continuation = Continuation::none;
+    parameters.fit                     = SurfaceFit::interpolation;
+    return parameters;
+  }
+
+  bool
+  says(const Surface &surface, const std::string &sentence)
+  {
+    for (const std::string &step : surface.topography->steps)
+      if (step.find(sentence) == 0)
+        return true;
+    return false;
+  }
+} // namespace
+
+TEST(Surfaces, of_two_instruments_are_cut_to_the_shorter_one)
+{
+  const SurfaceParameters fine   = measured_wave("fine", 0.25, 80),
+                          coarse = measured_wave("coarse", 0.4, 70);
+  for (const bool tool_is_fine : {true, false})
+    {
+      SceneParameters parameters;
+      parameters.tool          = tool_is_fine ? fine : coarse;
+      parameters.chip          = tool_is_fine ? coarse : fine;
+      const auto [tool, chip]  = make_surfaces(parameters);
+      const Surface    &longer = tool_is_fine ? chip : tool;
+      const std::string whose  = tool_is_fine ? "tool" : "chip";
+      EXPECT_NEAR(tool.period, 20e-6, 1e-18);
+      EXPECT_NEAR(chip.period, 20e-6, 1e-18);
+      EXPECT_TRUE(says(longer,
+                       "Common period: 20 um of the " + whose +
+                         " instead of 28 um, 71.4 % of the length; Rq "));
+      // Pixels of 0.4 um: (2 pi 0.4/5)^4/384 of the amplitude are missed.
+      for (unsigned int i = 0; i <= 100; ++i)
+        {
+          const double x = 20e-6 * i / 100;
+          EXPECT_NEAR(longer.height(x),
+                      0.1e-6 * std::cos(2. * M_PI * x / 5e-6),
+                      0.1e-6 * 4e-4)
+            << i;
+        }
+    }
+}
+
+TEST(Surfaces, of_odd_pixels_are_resampled_to_the_period_of_the_other)
+{
+  SceneParameters parameters;
+  parameters.tool         = measured_wave("tool", 0.25, 80);
+  parameters.chip         = measured_wave("chip", 0.3, 90);
+  const auto [tool, chip] = make_surfaces(parameters);
+  EXPECT_NEAR(chip.period, tool.period, 1e-18);
+  EXPECT_TRUE(says(chip, "Resampled from 0.3 um to 0.30303 um"));
+  for (unsigned int i = 0; i <= 100; ++i)
+    {
+      const double x = 20e-6 * i / 100;
+      EXPECT_NEAR(chip.height(x),
+                  0.1e-6 * std::cos(2. * M_PI * x / 5e-6),
+                  0.1e-6 * 1e-3)
+        << i;
+    }
+}
+
+TEST(Surface, interpolation_passes_through_the_measured_points)
+{
+  const Surface surface = make_surface(measured_wave("points", 0.25, 80), 0.);
+  const auto   &heights = surface.topography->profile.heights;
+  ASSERT_EQ(heights.size(), 80u);
+  for (unsigned int i = 0; i < 80; ++i)
+    EXPECT_NEAR(surface.height(0.25e-6 * i), heights[i], 1e-20);
+  EXPECT_LT(surface.fit_rms, 1e-20);
+}
+
+TEST(Scene, chip_of_a_shorter_period_than_the_tool_is_refused)
 {
   SceneParameters parameters = coarse_scene();
+  parameters.geometry.length = 200e-6;
   parameters.chip.kind       = SurfaceKind::measured;
   parameters.chip.topography.file =
     ASPERITY_SOURCE_DIR "/parameter_files/surfaces/polished_tool.x3p";
   try
     {
       Scene scene(parameters);
-      FAIL() << "a chip of 160 um under a tool of 10 um";
+      FAIL() << "a chip of 160 um under a tool of 200 um";
     }
   catch (const InputError &error)
     {
       EXPECT_NE(
-        std::string(error.what()).find("expected that of the tool, 10 um"),
+        std::string(error.what()).find("expected that of the tool, 200 um"),
         std::string::npos)
         << error.what();
     }

@@ -115,11 +115,51 @@ TEST(MakeProfile, row_column_and_length_name_the_same_line)
   make_profile(parse(common + "set Profile position = 15 um\n"), length);
   EXPECT_EQ(row.measured.heights, length.measured.heights);
   EXPECT_EQ(row.measured.heights[5], row.map(5, 30));
-  EXPECT_EQ(row.measured.heights.size(), 81u);
+  EXPECT_EQ(row.measured.heights.size(), 80u);
   make_profile(parse(common + "set Profile direction = 90 deg\n"
                               "set Profile position = column 7\n"),
                column);
   EXPECT_EQ(column.measured.heights[5], column.map(7, 5));
+}
+
+TEST(MakeProfile, the_length_of_a_profile_is_its_period)
+{
+  // Samples 0.5 um apart: 80 of them, or 80 that are 0.50375 um apart.
+  const std::string common = "set File = " + wavy_file() + "\n";
+  TopographyReport  exact, resampled, mirrored;
+  make_profile(parse(common + "set Profile length = 40 um\n"), exact);
+  EXPECT_NEAR(exact.profile.length(), 40e-6, 1e-18);
+  EXPECT_EQ(exact.measured.heights[79], exact.map(79, exact.map.ny / 2));
+
+  make_profile(parse(common + "set Profile length = 40.3 um\n"), resampled);
+  EXPECT_NEAR(resampled.profile.length(), 40.3e-6, 1e-18);
+  EXPECT_EQ(resampled.profile.heights.size(), 80u);
+  EXPECT_EQ(resampled.measured.heights[0], exact.measured.heights[0]);
+  bool said = false;
+  for (const std::string &step : resampled.steps)
+    said = said || step.find("Resampled from 0.5 um to 0.50375 um by a cubic "
+                             "spline, so that the length is 40.3 um, Rq ") == 0;
+  EXPECT_TRUE(said);
+
+  make_profile(parse(common + "set Profile length = 40.3 um\n"
+                              "set Periodic continuation = mirror\n"),
+               mirrored);
+  EXPECT_NEAR(mirrored.profile.length(), 80.6e-6, 1e-18);
+}
+
+TEST(Resample, keeps_a_cubic)
+{
+  const auto cubic = [](const double x) {
+    return 1. + x * (2. - x * (0.5 - 0.1 * x));
+  };
+  Profile profile;
+  profile.spacing = 0.5;
+  for (unsigned int i = 0; i < 21; ++i)
+    profile.heights.push_back(cubic(0.5 * i));
+  const Profile other = resample(profile, 0.37, 27);
+  EXPECT_EQ(other.spacing, 0.37);
+  for (unsigned int i = 0; i < 27; ++i)
+    EXPECT_NEAR(other.heights[i], cubic(0.37 * i), 1e-11) << i;
 }
 
 TEST(MakeProfile, holes_are_filled_reported_and_limited)

@@ -21,6 +21,13 @@ namespace asperity
     measured   ///< a profile of a height map
   };
 
+  /** How the spline of a measured profile follows its points. */
+  enum class SurfaceFit
+  {
+    least_squares,
+    interpolation
+  };
+
   struct SurfaceParameters
   {
     SurfaceKind         kind = SurfaceKind::flat;
@@ -31,6 +38,8 @@ namespace asperity
     /** Spans of the spline over a period; automatic follows the data. */
     std::optional<unsigned int> spans;
     unsigned int                degree = 3;
+
+    SurfaceFit fit = SurfaceFit::least_squares; ///< of measured profiles
 
     TopographyParameters topography;
 
@@ -43,6 +52,12 @@ namespace asperity
     void
     check(const ParameterDeclarator &parameters,
           const std::string         &section) const;
+
+    /** @throws InputError if the spline of a measured profile is not
+     *  determined */
+    void
+    check_fit(const ParameterDeclarator &parameters,
+              const std::string         &section) const;
 
     /** Spans of the spline of harmonics over a period. */
     unsigned int

@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace asperity
 {
@@ -55,6 +56,15 @@ namespace asperity
    */
   Surface
   make_surface(const SurfaceParameters &parameters, const double length);
+
+  /**
+   * Tool and chip of a scene with one period, as make_surface(). Measured ones
+   * of different length are cut to the shorter of the two, and the report of
+   * the longer one says what that changes.
+   * @throws InputError if one period cannot be had
+   */
+  std::pair<Surface, Surface>
+  make_surfaces(const SceneParameters &parameters);
 
   /** Smallest vertical distance between two surfaces of one period [m]. */
   double

@@ -94,6 +94,18 @@ namespace asperity
                      const unsigned int         degree,
                      const FitOptions          &options = {});
 
+  /**
+   * Global interpolation (Piegl and Tiller, algorithm A9.1) of equidistant
+   * heights [m] of one period, the first at x = 0, by the periodic graph whose
+   * knots are the data. The parameters are the positions, as a graph has them.
+   * @throws InputError if the degree is even, for which these knots do not
+   *   determine the spline, or if the data are fewer than 2 degree + 2
+   */
+  SplineFit
+  interpolate_periodic_graph(const std::vector<double> &heights,
+                             const double               period,
+                             const unsigned int         degree);
+
   /** The periodic graph that meets a periodic function at the Greville points
    * of n_spans equal spans that begin at x_begin. */
   SplineCurve

@@ -53,6 +53,14 @@ namespace asperity
   extract_profile(const HeightMap   &map,
                   const ProfileLine &line,
                   const unsigned int min_points = 10);
+
+  /**
+   * Heights at another distance [m], from the first sample on, by the cubic
+   * spline through the samples of an open profile without missing ones. At most
+   * one spacing beyond the last sample, which stays there.
+   */
+  Profile
+  resample(const Profile &profile, const double spacing, const std::size_t n);
 } // namespace asperity
 
 #endif

@@ -13,7 +13,8 @@ namespace asperity
     bool         along_y = false;
     unsigned int line    = 0;
 
-    /** Arc length [m] of its first sample, and from there to its last one. */
+    /** Arc length [m] of its first sample, and its length up to the next sample
+     *  after its last one: that of its period. */
     double start  = 0.;
     double length = 0.;
 
