@@ -196,6 +196,21 @@ namespace asperity
         }
     }
 
+    /** An input without influence would cost runs and teach nothing. */
+    void
+    check_influence(const SceneInput  &scene,
+                    const std::string &entry,
+                    const std::string &where)
+    {
+      for (const UnusedEntry &unused :
+           unused_entries(scene.parameters, scene.declarator))
+        if (unused.path == entry)
+          throw InputError(where + ": found " + entry +
+                           ", on which the friction of the base scene does "
+                           "not depend; it counts only with " +
+                           unused.counts_with + ".");
+    }
+
     /** Makes each profile once, so that none fails in the runs. */
     void
     check_profiles(const std::string &positions,
@@ -256,7 +271,13 @@ namespace asperity
     set_symbols(inputs);
     check_corners(parameters.base_scene, inputs, where);
     // The base scene's own values of the inputs do not count.
-    const SceneInput   lowest(parameters.base_scene, lower);
+    const SceneInput lowest(parameters.base_scene, lower);
+    for (std::size_t i = 0; i < parameters.inputs.size(); ++i)
+      if (!parameters.inputs[i].entry.empty())
+        check_influence(lowest,
+                        parameters.inputs[i].path(),
+                        declarator.where("Campaign/Input " +
+                                         std::to_string(i + 1) + "/Entry"));
     std::ostringstream text;
     lowest.declarator.write_prm(text);
     base_scene_text = text.str();

@@ -3,6 +3,7 @@
 #include <asperity/base/errors.h>
 #include <asperity/base/mpi_session.h>
 #include <asperity/base/progress.h>
+#include <asperity/base/text.h>
 #include <asperity/base/version.h>
 #include <asperity/contact_zone/commands.h>
 #include <asperity/contact_zone/scene_checkpoint.h>
@@ -18,6 +19,7 @@
 #include <cmath>
 #include <iomanip>
 #include <iostream>
+#include <map>
 
 namespace asperity
 {
@@ -94,6 +96,18 @@ namespace asperity
                 << (audit.inertia == Inertia::dynamic ? "dynamic" :
                                                         "quasi-static")
                 << (heats_itself ? ", adiabatic\n" : ", isothermal\n");
+    }
+
+    /** The entries that the models do not read, by what they count with. */
+    void
+    print_unused(const std::vector<UnusedEntry> &entries)
+    {
+      std::map<std::string, std::vector<std::string>> by_condition;
+      for (const UnusedEntry &entry : entries)
+        by_condition[entry.counts_with].push_back(entry.path);
+      for (const auto &[counts_with, paths] : by_condition)
+        std::cout << "Not used here: " << join(paths, ", ") << " (only with "
+                  << counts_with << ").\n";
     }
 
     void
@@ -227,6 +241,7 @@ namespace asperity
     write_parameters(input);
     std::cout << version_line() << "\n";
     print_scene(scene, audit, parameters.material.heats_itself(), false);
+    print_unused(audit.unused);
     for (const std::string &note : notes)
       std::cout << "Warning: " << note << "\n";
     if (parameters.output.restart)
@@ -271,6 +286,7 @@ namespace asperity
                 audited.audit,
                 input.parameters.material.heats_itself(),
                 true);
+    print_unused(audited.audit.unused);
     for (const auto &list :
          {notes_on_input(input, file), audited.audit.warnings})
       for (const std::string &warning : list)

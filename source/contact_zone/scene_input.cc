@@ -36,7 +36,9 @@ namespace asperity
 
   AuditedScene::AuditedScene(SceneInput &input)
   try : AuditedScene(input.parameters)
-    {}
+    {
+      audit.unused = unused_entries(input.parameters, input.declarator);
+    }
   catch (const InputError &error)
     {
       throw InputError(input.file + ": " + error.what());

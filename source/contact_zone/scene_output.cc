@@ -321,6 +321,11 @@ namespace asperity
     summary["audit"]    = numbers;
     summary["cost"]     = summarise_cost(run, scene, seconds_, wall_time);
     summary["warnings"] = warnings;
+    json unused         = json::array();
+    for (const UnusedEntry &entry : audit.unused)
+      unused.push_back(
+        {{"entry", entry.path}, {"counts_with", entry.counts_with}});
+    summary["unused_entries"] = unused;
     write_summary(parameters.output.directory + "/summary.json", summary);
   }
 } // namespace asperity

@@ -325,3 +325,28 @@ TEST(RunRecord, reads_back_and_belongs_to_its_order)
   EXPECT_THROW(read_record(path, order), InputError);
   EXPECT_FALSE(read_record(path + ".not", order));
 }
+
+
+
+TEST_F(Plan, takes_an_oil_film_and_refuses_what_no_model_reads)
+{
+  const std::string by_film =
+    replaced(replaced(replaced(text(), "Load/Velocity", "Lubrication/Oil film"),
+                      "22.5 m/min",
+                      "20 nm"),
+             "200 m/min",
+             "300 nm");
+  const std::string oil = "subsection Lubrication\n set Model = pocket\n";
+  std::ofstream(folder / "scene.prm") << oil << "end\n";
+  EXPECT_NE(refusal(folder, by_film)
+              .find("entry 'Campaign/Input 2/Entry': found Lubrication/Oil "
+                    "film, on which the friction of the base scene does not "
+                    "depend; it counts only with the Oil amount film "
+                    "thickness."),
+            std::string::npos)
+    << refusal(folder, by_film);
+
+  std::ofstream(folder / "scene.prm")
+    << oil << " set Oil amount = film thickness\nend\n";
+  EXPECT_EQ(refusal(folder, by_film), "");
+}

@@ -2,6 +2,7 @@
 #define asperity_contact_zone_audit_h
 
 #include <asperity/contact_zone/scene.h>
+#include <asperity/contact_zone/unused_entries.h>
 
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@ namespace asperity
   {
     std::vector<AuditEntry>  entries;
     std::vector<std::string> warnings;
+    std::vector<UnusedEntry> unused; ///< of the file, if there is one
     Inertia                  inertia   = Inertia::quasi_static;
     LubricantModel           lubricant = LubricantModel::none;
   };

@@ -1,0 +1,143 @@
+#include <asperity/contact_zone/unused_entries.h>
+
+#include <cmath>
+
+#include "entry_conditions.h"
+
+namespace asperity
+{
+  namespace
+  {
+    bool
+    yields(const SceneParameters &p)
+    {
+      return std::isfinite(p.material.make_law()->shear_limit(0., 0., 0.));
+    }
+
+    EntryConditions
+    conditions_of_chip()
+    {
+      EntryConditions conditions = {
+        {{"Geometry/Period"},
+         "a tool that is not measured",
+         [](const SceneParameters &p) {
+           return p.tool.kind != SurfaceKind::measured;
+         }},
+        {{"Mesh/Strip depth"},
+         "Refinement levels",
+         [](const SceneParameters &p) { return p.mesh.refinement > 0; }},
+        {{"Material/Adiabatic heating",
+          "Material/Heat capacity",
+          "Material/Heat fraction",
+          "Load/Plastic strain"},
+         "a Law of plasticity",
+         yields},
+        {{"Material/Heat capacity", "Material/Heat fraction"},
+         "Adiabatic heating",
+         [](const SceneParameters &p) { return p.material.heating.adiabatic; }},
+        {{"Load/Temperature"},
+         "a Law of the chip that softens or heats itself, or a Temperature law "
+         "of the oil",
+         [](const SceneParameters &p) {
+           return p.material.softest_temperature() ||
+                  p.material.heats_itself() ||
+                  (p.lubrication.model != LubricantModel::none &&
+                   p.lubrication.oil.temperature.law != TemperatureLaw::none);
+         }},
+        {{"Contact/Penalty factor"},
+         "an automatic Penalty",
+         [](const SceneParameters &p) { return !p.contact.penalty; }},
+        {{"Contact/Penetration tolerance"},
+         "Augmentations",
+         [](const SceneParameters &p) { return p.contact.augmentations > 0; }}};
+      for (const char *name :
+           {JohnsonCookParameters::name, VoceParameters::name})
+        conditions.push_back({{std::string("Material/") + name + "/"},
+                              std::string("the Law ") + name,
+                              [=](const SceneParameters &p) {
+                                return p.material.make_law()->name() == name;
+                              }});
+      return conditions;
+    }
+
+    EntryConditions
+    conditions_of_run()
+    {
+      const auto window = [](const FrictionWindow window) {
+        return
+          [=](const SceneParameters &p) { return p.protocol.window == window; };
+      };
+      return {{{"Protocol/End time"},
+               "an automatic Sliding distance",
+               [](const SceneParameters &p) {
+                 return !p.protocol.sliding_distance;
+               }},
+              {{"Protocol/Spectral radius"},
+               "the Inertia dynamic",
+               [](const SceneParameters &p) {
+                 return p.protocol.inertia != Inertia::quasi_static;
+               }},
+              {{"Protocol/Window fraction", "Protocol/Slide steps"},
+               "the Friction window time",
+               window(FrictionWindow::time)},
+              {{"Protocol/Steady distance",
+                "Protocol/Steady step",
+                "Protocol/Steady tolerance",
+                "Protocol/Maximum distance"},
+               "the Friction window steady",
+               window(FrictionWindow::steady)},
+              {{"Solver/Linear solver"},
+               "a symmetric tangent, which the lubricant model Reynolds has "
+               "not: umfpack stands in for cholmod",
+               [](const SceneParameters &p) {
+                 return p.lubrication.model != LubricantModel::reynolds ||
+                        p.solver.linear_solver != DirectSolverKind::cholmod;
+               }}};
+    }
+
+    const EntryConditions &
+    all_conditions()
+    {
+      static const EntryConditions conditions = []() {
+        EntryConditions all;
+        for (const auto &list :
+             {conditions_of_surface("Tool", &SceneParameters::tool),
+              conditions_of_surface("Chip surface", &SceneParameters::chip),
+              conditions_of_chip(),
+              conditions_of_run(),
+              conditions_of_oil()})
+          all.insert(all.end(), list.begin(), list.end());
+        return all;
+      }();
+      return conditions;
+    }
+
+    bool
+    is_about(const EntryCondition &condition, const std::string &path)
+    {
+      for (const std::string &entry : condition.entries)
+        if (entry == path ||
+            (entry.back() == '/' && path.compare(0, entry.size(), entry) == 0))
+          return true;
+      return false;
+    }
+  } // namespace
+
+
+
+  std::vector<UnusedEntry>
+  unused_entries(const SceneParameters     &parameters,
+                 const ParameterDeclarator &declarator)
+  {
+    std::vector<UnusedEntry> unused;
+    for (const ParameterEntry &entry : declarator.entries())
+      if (entry.given)
+        for (const EntryCondition &condition : all_conditions())
+          if (is_about(condition, entry.path()) && !condition.holds(parameters))
+            {
+              unused.push_back({entry.path(), condition.counts_with});
+              break;
+            }
+    return unused;
+  }
+} // namespace asperity
