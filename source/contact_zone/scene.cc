@@ -167,7 +167,7 @@ namespace asperity
     equilibrium =
       std::make_unique<Equilibrium>(n_unknowns(),
                                     terms,
-                                    is_prescribed_,
+                                    constraints_,
                                     symmetric || linear_solver !=
                                                    DirectSolverKind::cholmod ?
                                       linear_solver :
@@ -221,9 +221,9 @@ namespace asperity
   Scene::build_boundaries()
   {
     bottom_load_.reinit(n_unknowns());
-    is_prescribed_.assign(n_unknowns(), false);
     for (const unsigned int a : space->edge_functions(Edge::bottom))
-      is_prescribed_[2 * a] = true;
+      constraints_.add_line(displacement_dof(a, 0));
+    constraints_.close();
     const BasisTable bottom = tabulate_edge(
       *space, geometry, Edge::bottom, dealii::QGauss<1>(space->degree() + 1));
     for (const auto &element : bottom.elements)
@@ -284,10 +284,10 @@ namespace asperity
 
 
 
-  const std::vector<bool> &
-  Scene::is_prescribed() const
+  const dealii::AffineConstraints<double> &
+  Scene::constraints() const
   {
-    return is_prescribed_;
+    return constraints_;
   }
 
 

@@ -119,9 +119,8 @@ namespace asperity
     for (const Predictor &predict : predictors(dt))
       {
         Vector u = predict();
-        for (unsigned int i = 0; i < u.size(); ++i)
-          if (scene.is_prescribed()[i])
-            u(i) = protocol_.displacement(state_.time + dt);
+        for (const auto &line : scene.constraints().get_lines())
+          u(line.index) = protocol_.displacement(state_.time + dt);
         const ConvergenceReport report =
           lubricated_step_ ? lubricated_step_->advance(u, dt) : solve(u);
         if (report.converged)

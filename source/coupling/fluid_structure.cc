@@ -83,12 +83,14 @@ namespace asperity
   void
   FluidStructure::start()
   {
-    std::vector<bool> is_prescribed(2 * body.space->n_functions(), false);
+    dealii::AffineConstraints<double> constraints;
     for (const Edge edge : body.clamped)
       for (const unsigned int a : body.space->edge_functions(edge))
-        is_prescribed[2 * a] = is_prescribed[2 * a + 1] = true;
+        for (unsigned int c = 0; c < 2; ++c)
+          constraints.add_line(displacement_dof(a, c));
+    constraints.close();
     solid_side = std::make_unique<SplineSolid>(
-      assembler, further_terms, is_prescribed, interface, options.solid);
+      assembler, further_terms, constraints, interface, options.solid);
     step = std::make_unique<PartitionedStep>(*solid_side,
                                              fluid_side,
                                              options.coupling);

@@ -24,16 +24,16 @@ namespace asperity
 
   SplineSolid::SplineSolid(SolidAssembler                 &solid,
                            const std::vector<ForceTerm *> &further_terms,
-                           const std::vector<bool>        &is_prescribed,
-                           const Interface                &interface,
-                           const SplineSolidOptions       &options)
+                           const dealii::AffineConstraints<double> &constraints,
+                           const Interface                         &interface,
+                           const SplineSolidOptions                &options)
     : solid(solid)
     , interface(interface)
     , options(options)
     , load(interface)
     , equilibrium(2 * solid.space().n_functions(),
                   all_terms(solid, load, further_terms),
-                  is_prescribed,
+                  constraints,
                   options.solver)
     , motion(options.spectral_radius)
     , u(2 * solid.space().n_functions())

@@ -9,7 +9,6 @@
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/numerics/matrix_tools.h>
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -38,9 +37,8 @@ namespace asperity
     dealii::SparseMatrix<double> free(sparsity);
     free.copy_from(matrix);
     std::map<dealii::types::global_dof_index, double> zeros;
-    for (unsigned int i = 0; i < is_prescribed.size(); ++i)
-      if (is_prescribed[i])
-        zeros[i] = 0.;
+    for (const auto &line : prescribed.get_lines())
+      zeros[line.index] = 0.;
     Vector solution(dofs.n_dofs()), rhs(dofs.n_dofs());
     dealii::MatrixTools::apply_boundary_values(zeros, free, solution, rhs);
     if (!solver->factorize(free))
@@ -59,7 +57,6 @@ namespace asperity
       make_periodicity_constraints(dof_handler, right, left, 0, topology);
     topology.close();
 
-    is_prescribed.assign(dof_handler.n_dofs(), false);
     const auto prescribe = [this](const auto                  &boundaries,
                                   const dealii::ComponentMask &components) {
       if (boundaries.empty())
@@ -67,15 +64,17 @@ namespace asperity
       for (const auto i : dealii::DoFTools::extract_boundary_dofs(dof_handler,
                                                                   components,
                                                                   boundaries))
-        is_prescribed[i] = !topology.is_constrained(i);
+        if (!topology.is_constrained(i))
+          prescribed.add_line(i);
     };
     prescribe(options.prescribed, dealii::ComponentMask(2, true));
-    if (std::count(is_prescribed.begin(), is_prescribed.end(), true) == 0)
+    if (prescribed.n_constraints() == 0)
       throw InputError("An elastic mesh update needs a boundary with both "
                        "components of the displacement prescribed, but there "
                        "is none.");
     prescribe(options.sliding_in_x,
               dealii::ComponentMask(std::vector<bool>{false, true}));
+    prescribed.close();
   }
 
 
@@ -139,18 +138,15 @@ namespace asperity
   ElasticMeshUpdate::Vector
   ElasticMeshUpdate::update(const Vector &boundary_displacement) const
   {
-    Vector prescribed(dof_handler.n_dofs());
-    for (unsigned int i = 0; i < is_prescribed.size(); ++i)
-      if (is_prescribed[i])
-        prescribed(i) = boundary_displacement(i);
+    Vector given(dof_handler.n_dofs());
+    for (const auto &line : prescribed.get_lines())
+      given(line.index) = boundary_displacement(line.index);
     Vector d(dof_handler.n_dofs());
-    matrix.vmult(d, prescribed);
+    matrix.vmult(d, given);
     d *= -1.;
-    for (unsigned int i = 0; i < is_prescribed.size(); ++i)
-      if (is_prescribed[i])
-        d(i) = 0.;
+    prescribed.set_zero(d);
     solver->solve(d);
-    d += prescribed;
+    d += given;
     topology.distribute(d);
     return d;
   }

@@ -1,25 +1,34 @@
+#include <asperity/base/errors.h>
 #include <asperity/solid/equilibrium.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/timer.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace asperity
 {
   using Vector = dealii::Vector<double>;
 
-  Equilibrium::Equilibrium(const unsigned int              n_dofs,
-                           const std::vector<ForceTerm *> &terms,
-                           const std::vector<bool>        &is_prescribed,
-                           const DirectSolverKind          solver_kind)
+  Equilibrium::Equilibrium(const unsigned int                       n_dofs,
+                           const std::vector<ForceTerm *>          &terms,
+                           const dealii::AffineConstraints<double> &constraints,
+                           const DirectSolverKind                   solver_kind)
     : terms(terms)
-    , is_prescribed(is_prescribed)
+    , constraints(constraints)
     , solver(make_direct_solver(solver_kind))
     , support(dealii::numbers::invalid_unsigned_int)
     , load(n_dofs)
     , inertia_constant(n_dofs)
   {
+    for (const auto &line : constraints.get_lines())
+      if (!line.entries.empty())
+        throw ComputationError(
+          "Component " + std::to_string(line.index) +
+          " of a displacement is constrained by others, but a force balance "
+          "takes prescribed components only.");
     dealii::DynamicSparsityPattern couplings(n_dofs);
     for (const ForceTerm *term : terms)
       term->add_couplings(couplings);
@@ -27,6 +36,11 @@ namespace asperity
       couplings.add(i, i);
     pattern.copy_from(couplings);
     matrix.reinit(pattern);
+    for (auto entry = matrix.begin(); entry != matrix.end(); ++entry)
+      if (entry->row() != entry->column() &&
+          (constraints.is_constrained(entry->row()) ||
+           constraints.is_constrained(entry->column())))
+        eliminated.push_back(entry);
   }
 
 
@@ -57,9 +71,7 @@ namespace asperity
             matrix.add(mass_factor, *mass);
           }
       }
-    for (unsigned int i = 0; i < R.size(); ++i)
-      if (is_prescribed[i])
-        R(i) = 0.;
+    constraints.set_zero(R);
     cost_.assembly += timer.wall_time();
     return true;
   }
@@ -96,14 +108,13 @@ namespace asperity
   void
   Equilibrium::eliminate_prescribed()
   {
-    for (unsigned int i = 0; i < matrix.m(); ++i)
-      for (auto entry = matrix.begin(i); entry != matrix.end(i); ++entry)
-        {
-          const unsigned int j = entry->column();
-          if (is_prescribed[i] || is_prescribed[j])
-            entry->value() =
-              (i == j) ? std::max(1., std::abs(entry->value())) : 0.;
-        }
+    for (auto entry : eliminated)
+      entry->value() = 0.;
+    for (const auto &line : constraints.get_lines())
+      {
+        double &diagonal = matrix.diag_element(line.index);
+        diagonal         = std::max(1., std::abs(diagonal));
+      }
   }
 
 
@@ -113,7 +124,7 @@ namespace asperity
   {
     dealii::Timer timer;
     eliminate_prescribed();
-    dense_part.drop_rows(is_prescribed);
+    dense_part.drop_rows(constraints);
     if (support < matrix.m() && !dense_part.empty())
       {
         Vector unit(matrix.m());
@@ -173,25 +184,22 @@ namespace asperity
   Equilibrium::prescribe(Vector &u, const Vector &target)
   {
     Vector increment(u.size()), R(u.size()), coupling(u.size());
-    for (unsigned int i = 0; i < u.size(); ++i)
-      if (is_prescribed[i])
-        increment(i) = target(i) - u(i);
+    for (const auto &line : constraints.get_lines())
+      increment(line.index) = target(line.index) - u(line.index);
     if (increment.linfty_norm() == 0.)
       return true;
     if (!assemble(u, R, true))
       return false;
     matrix.vmult(coupling, increment);
     dense_part.vmult_add(coupling, increment);
-    for (unsigned int i = 0; i < u.size(); ++i)
-      if (!is_prescribed[i])
-        R(i) += coupling(i);
+    R += coupling;
+    constraints.set_zero(R);
     Vector d(u.size());
     if (!direction(R, d))
       return false;
     u += d;
-    for (unsigned int i = 0; i < u.size(); ++i)
-      if (is_prescribed[i])
-        u(i) = target(i);
+    for (const auto &line : constraints.get_lines())
+      u(line.index) = target(line.index);
     return true;
   }
 
@@ -200,9 +208,7 @@ namespace asperity
   void
   Equilibrium::back_substitute(Vector &force) const
   {
-    for (unsigned int i = 0; i < force.size(); ++i)
-      if (is_prescribed[i])
-        force(i) = 0.;
+    constraints.set_zero(force);
     solver->solve(force);
   }
 

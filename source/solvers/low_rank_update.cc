@@ -84,12 +84,10 @@ namespace asperity
 
 
   void
-  LowRankUpdate::drop_rows(const std::vector<bool> &rows)
+  LowRankUpdate::drop_rows(const dealii::AffineConstraints<double> &constraints)
   {
     for (Vector &v : vectors)
-      for (unsigned int i = 0; i < v.size(); ++i)
-        if (rows[i])
-          v(i) = 0.;
+      constraints.set_zero(v);
   }
 
 

@@ -105,20 +105,22 @@ namespace example
                                                  obstacle,
                                                  contact_options))
   {
-    std::vector<bool> is_prescribed(u.size(), false);
+    dealii::AffineConstraints<double> constraints;
     for (const unsigned int a : space->edge_functions(Edge::bottom))
       {
-        is_prescribed[2 * a + 1] = true;
-        is_prescribed[2 * a]     = (support == Support::clamped_bottom);
+        constraints.add_line(displacement_dof(a, 1));
+        if (support == Support::clamped_bottom)
+          constraints.add_line(displacement_dof(a, 0));
       }
     if (support == Support::rollers)
       for (const unsigned int a : space->edge_functions(Edge::left))
-        is_prescribed[2 * a] = true;
+        constraints.add_line(displacement_dof(a, 0));
+    constraints.close();
     equilibrium =
       std::make_unique<Equilibrium>(u.size(),
                                     std::vector<ForceTerm *>{solid.get(),
                                                              contact.get()},
-                                    is_prescribed);
+                                    constraints);
     options.maximum_iterations = 60;
     options.line_search_trials = 30;
   }

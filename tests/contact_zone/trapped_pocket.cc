@@ -73,13 +73,14 @@ namespace
                                            tool,
                                            pocket_options);
 
-      std::vector<bool> is_prescribed(u.size(), false);
+      dealii::AffineConstraints<double> constraints;
       for (const unsigned int a : space->edge_functions(Edge::bottom))
-        is_prescribed[2 * a] = true;
+        constraints.add_line(displacement_dof(a, 0));
+      constraints.close();
       equilibrium = std::make_unique<Equilibrium>(
         u.size(),
         std::vector<ForceTerm *>{&solid, contact.get(), oil.get()},
-        is_prescribed,
+        constraints,
         DirectSolverKind::cholmod);
       equilibrium->set_support(2 * space->edge_functions(Edge::bottom)[0] + 1);
       bottom = tabulate_edge(*space,

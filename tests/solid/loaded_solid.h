@@ -96,7 +96,6 @@ namespace loaded_solid
       , solid(space, geometry, law, kinematics, n_quadrature)
       , u(2 * space->n_functions())
       , load(2 * space->n_functions())
-      , is_prescribed(2 * space->n_functions(), false)
     {}
 
     /** Prescribes one component of u on an edge. */
@@ -104,7 +103,7 @@ namespace loaded_solid
     prescribe(const Edge edge, const unsigned int component)
     {
       for (const unsigned int a : space->edge_functions(edge))
-        is_prescribed[2 * a + component] = true;
+        constraints.add_line(displacement_dof(a, component));
     }
 
     void
@@ -155,8 +154,8 @@ namespace loaded_solid
           std::vector<ForceTerm *> terms(1, &solid);
           for (auto &edge_load : edge_loads)
             terms.push_back(edge_load.get());
-          system =
-            std::make_unique<Equilibrium>(u.size(), terms, is_prescribed);
+          constraints.close();
+          system = std::make_unique<Equilibrium>(u.size(), terms, constraints);
         }
       return *system;
     }
@@ -212,7 +211,7 @@ namespace loaded_solid
     SolidAssembler                         solid;
     std::vector<std::unique_ptr<EdgeLoad>> edge_loads;
     Vector                                 u, load;
-    std::vector<bool>                      is_prescribed;
+    dealii::AffineConstraints<double>      constraints;
     NewtonStatistics                       statistics;
 
   private:

@@ -54,9 +54,8 @@ namespace loaded_solid
                                      constant,
                                      1. - method.alpha_f());
       Vector u = method.predict(dt);
-      for (unsigned int i = 0; i < u.size(); ++i)
-        if (body.is_prescribed[i])
-          u(i) = body.u(i);
+      for (const auto &line : body.constraints.get_lines())
+        u(line.index) = body.u(line.index);
       ConvergenceReport report = body.newton_from(u, tolerance);
       if (!report.converged)
         {

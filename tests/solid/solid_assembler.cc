@@ -198,7 +198,7 @@ TEST(Equilibrium, reactions_balance_the_load)
   ASSERT_TRUE(body.equilibrium().forces(body.u, forces));
   forces -= body.load;
   for (unsigned int i = 0; i < forces.size(); ++i)
-    if (!body.is_prescribed[i])
+    if (!body.constraints.is_constrained(i))
       {
         EXPECT_NEAR(forces(i), 0., 1e-2); // of some 10^8 N/m
       }

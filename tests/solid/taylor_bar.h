@@ -150,7 +150,7 @@ namespace loaded_solid
 
     Motion motion(body, rho);
     for (unsigned int i = 1; i < body.u.size(); i += 2)
-      if (!body.is_prescribed[i])
+      if (!body.constraints.is_constrained(i))
         motion.method.v(i) = -taylor::speed;
     const double start = motion.kinetic_energy();
     const double dt    = taylor::end_time / n_steps;

@@ -91,7 +91,7 @@ namespace loaded_solid
         law(),
         Kinematics::axisymmetric);
       for (unsigned int i = 1; i < body.u.size(); i += 2)
-        body.is_prescribed[i] = true;
+        body.constraints.add_line(i);
       body.prescribe(Edge::left, 0);
       Vector target(body.u.size());
       for (unsigned int step = 1; step <= n_steps; ++step)

@@ -62,9 +62,9 @@ namespace asperity
     const dealii::Vector<double> &
     bottom_load() const;
 
-    /** True for the x components of functions on the bottom. */
-    const std::vector<bool> &
-    is_prescribed() const;
+    /** Of the x components of functions on the bottom, which are moved. */
+    const dealii::AffineConstraints<double> &
+    constraints() const;
 
     /** u = (x, y) everywhere; other unknowns zero. */
     dealii::Vector<double>
@@ -118,11 +118,11 @@ namespace asperity
 
     dealii::Vector<double> initial_unknowns_;
 
-    dealii::Vector<double> bottom_load_;
-    std::vector<bool>      is_prescribed_;
-    double                 penalty_                = 0.;
-    double                 contact_element_length_ = 0.;
-    unsigned int           n_lubricant_unknowns    = 0;
+    dealii::Vector<double>            bottom_load_;
+    dealii::AffineConstraints<double> constraints_;
+    double                            penalty_                = 0.;
+    double                            contact_element_length_ = 0.;
+    unsigned int                      n_lubricant_unknowns    = 0;
   };
 
   /** Levels of the rows of the coarsest mesh: heights from 0 to `height`, the

@@ -47,13 +47,14 @@ namespace asperity
     /**
      * The arguments must outlive this object.
      * @param further_terms besides the internal force
-     * @param is_prescribed components of u that keep their value
+     * @param constraints of components of u that keep their value, see
+     * Equilibrium
      */
-    SplineSolid(SolidAssembler                 &solid,
-                const std::vector<ForceTerm *> &further_terms,
-                const std::vector<bool>        &is_prescribed,
-                const Interface                &interface,
-                const SplineSolidOptions       &options = {});
+    SplineSolid(SolidAssembler                          &solid,
+                const std::vector<ForceTerm *>          &further_terms,
+                const dealii::AffineConstraints<double> &constraints,
+                const Interface                         &interface,
+                const SplineSolidOptions                &options = {});
 
     void
     begin_step(const double dt) override;

@@ -9,6 +9,16 @@
 
 namespace asperity
 {
+  /** Index of a displacement component of a function among the unknowns of a
+   *  spline space: components are interleaved. */
+  inline unsigned int
+  displacement_dof(const unsigned int function, const unsigned int component)
+  {
+    return 2 * function + component;
+  }
+
+
+
   /** The dense part factor * vector vector^T of a tangent. */
   struct RankOneTerm
   {
@@ -18,11 +28,10 @@ namespace asperity
 
   /**
    * One contribution to the residual of a displacement field u on a spline
-   * space. Degrees of freedom are interleaved: component c of function a has
-   * index 2 a + c, and u counts from the reference configuration [m]. The
-   * residual is internal minus external force [N/m in plane strain, N in
-   * axisymmetry]. Solids, contact and loads are all of this kind, so none needs
-   * to know the others.
+   * space. Component c of function a has index displacement_dof(a, c), and u
+   * counts from the reference configuration [m]. The residual is internal minus
+   * external force [N/m in plane strain, N in axisymmetry]. Solids, contact and
+   * loads are all of this kind, so none needs to know the others.
    */
   class ForceTerm
   {

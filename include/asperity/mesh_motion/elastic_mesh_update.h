@@ -87,7 +87,7 @@ namespace asperity
 
     const dealii::DoFHandler<2>      &dof_handler;
     dealii::AffineConstraints<double> topology; ///< hanging nodes, periodicity
-    std::vector<bool>                 is_prescribed;
+    dealii::AffineConstraints<double> prescribed; ///< by the boundaries
     dealii::SparsityPattern           sparsity;
     dealii::SparseMatrix<double>      matrix;
     std::unique_ptr<DirectSolver>     solver; ///< of the free displacements

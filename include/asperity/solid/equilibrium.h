@@ -6,6 +6,7 @@
 #include <asperity/solvers/low_rank_update.h>
 #include <asperity/solvers/newton.h>
 
+#include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/sparsity_pattern.h>
 
 #include <memory>
@@ -35,11 +36,13 @@ namespace asperity
     /**
      * @param n_dofs length of u
      * @param terms the contributions; they must outlive this object
-     * @param is_prescribed one flag a component of u
+     * @param constraints closed; each line prescribes a component of u, whose
+     * values prescribe() takes; inhomogeneities are not read
+     * @throws ComputationError if a line couples components
      */
-    Equilibrium(const unsigned int              n_dofs,
-                const std::vector<ForceTerm *> &terms,
-                const std::vector<bool>        &is_prescribed,
+    Equilibrium(const unsigned int                       n_dofs,
+                const std::vector<ForceTerm *>          &terms,
+                const dealii::AffineConstraints<double> &constraints,
                 const DirectSolverKind solver = DirectSolverKind::umfpack);
 
     bool
@@ -112,19 +115,22 @@ namespace asperity
     void
     collect_rank_one_terms();
 
-    std::vector<ForceTerm *>            terms;
-    std::vector<bool>                   is_prescribed;
-    dealii::SparsityPattern             pattern;
-    dealii::SparseMatrix<double>        matrix;
-    std::unique_ptr<DirectSolver>       solver;
-    LowRankUpdate                       dense_part;
-    unsigned int                        support;
-    dealii::Vector<double>              load;
-    const dealii::SparseMatrix<double> *mass          = nullptr;
-    double                              mass_factor   = 0.;
-    double                              static_weight = 1.;
-    dealii::Vector<double>              inertia_constant;
-    EquilibriumCost                     cost_;
+    std::vector<ForceTerm *>          terms;
+    dealii::AffineConstraints<double> constraints;
+    dealii::SparsityPattern           pattern;
+    dealii::SparseMatrix<double>      matrix;
+    /** Entries of the matrix beside its diagonal that a prescribed row or
+     *  column has. */
+    std::vector<dealii::SparseMatrix<double>::iterator> eliminated;
+    std::unique_ptr<DirectSolver>                       solver;
+    LowRankUpdate                                       dense_part;
+    unsigned int                                        support;
+    dealii::Vector<double>                              load;
+    const dealii::SparseMatrix<double>                 *mass          = nullptr;
+    double                                              mass_factor   = 0.;
+    double                                              static_weight = 1.;
+    dealii::Vector<double>                              inertia_constant;
+    EquilibriumCost                                     cost_;
   };
 } // namespace asperity
 

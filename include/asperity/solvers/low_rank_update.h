@@ -3,6 +3,7 @@
 
 #include <asperity/solvers/direct_solver.h>
 
+#include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include <vector>
@@ -45,9 +46,9 @@ namespace asperity
     void
     vmult_add(dealii::Vector<double> &y, const dealii::Vector<double> &x) const;
 
-    /** Sets the marked components of all v_i to zero. */
+    /** Sets the constrained components of all v_i to zero. */
     void
-    drop_rows(const std::vector<bool> &rows);
+    drop_rows(const dealii::AffineConstraints<double> &constraints);
 
     /** Multiplies all d_i. */
     void
