@@ -1,4 +1,5 @@
 #include <asperity/contact/contact_assembler.h>
+#include <asperity/isogeometric/element_view.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -42,22 +43,21 @@ namespace asperity
                         table_.JxW.size(),
                       0.);
     std::vector<std::set<unsigned int>> overlap(edge_functions.size());
-    for (const auto &element : table_.elements)
+    for (const auto &entry : table_.elements)
       {
+        const ElementView         element(table_, entry);
         std::vector<unsigned int> functions, columns;
-        const unsigned int        n = element.functions.size();
-        for (unsigned int a = 0; a < n; ++a)
+        for (unsigned int a = 0; a < element.n_functions(); ++a)
           {
             const auto found = std::lower_bound(edge_functions.begin(),
                                                 edge_functions.end(),
-                                                element.functions[a]);
-            if (found == edge_functions.end() || *found != element.functions[a])
+                                                element.function(a));
+            if (found == edge_functions.end() || *found != element.function(a))
               continue;
             functions.push_back(found - edge_functions.begin());
             columns.push_back(a);
             for (unsigned int q = 0; q < table_.points_per_element; ++q)
-              weight[functions.back()] +=
-                element.values[q * n + a] * table_.JxW[element.first_point + q];
+              weight[functions.back()] += element.N(q, a) * element.JxW(q);
           }
         for (const unsigned int a : functions)
           overlap[a].insert(functions.begin(), functions.end());
@@ -78,7 +78,8 @@ namespace asperity
         for (const unsigned int b : indices)
           for (unsigned int i = 0; i < 2; ++i)
             for (unsigned int j = 0; j < 2; ++j)
-              pattern.add(2 * edge_functions[a] + i, 2 * edge_functions[b] + j);
+              pattern.add(displacement_dof(edge_functions[a], i),
+                          displacement_dof(edge_functions[b], j));
     };
     if (options_.formulation == ContactFormulation::mortar)
       for (const auto &indices : neighbours)
@@ -93,17 +94,14 @@ namespace asperity
   void
   ContactAssembler::measure(const Vector &u)
   {
-    for (const auto &element : table_.elements)
+    for (const auto &entry : table_.elements)
       {
-        const unsigned int n = element.functions.size();
+        const ElementView element(table_, entry);
         for (unsigned int q = 0; q < table_.points_per_element; ++q)
           {
-            const unsigned int point = element.first_point + q;
+            const unsigned int point = element.point(q);
             dealii::Point<2>   x     = table_.position[point];
-            for (unsigned int a = 0; a < n; ++a)
-              for (unsigned int c = 0; c < 2; ++c)
-                x[c] +=
-                  element.values[q * n + a] * u(2 * element.functions[a] + c);
+            element.add_displacement(q, u, x);
             position[point] = x;
             gap[point]      = obstacle->gap(x - offset, hint[point]);
           }
@@ -126,13 +124,12 @@ namespace asperity
     const auto          for_each_value = [&](const auto &action) {
       for (unsigned int e = 0; e < table_.elements.size(); ++e)
         {
-          const auto        &element = table_.elements[e];
-          const unsigned int n       = element.functions.size();
+          const ElementView element(table_, table_.elements[e]);
           for (unsigned int q = 0; q < table_.points_per_element; ++q)
             for (unsigned int i = 0; i < element_functions[e].size(); ++i)
-              action(element.first_point + q,
+              action(element.point(q),
                      element_functions[e][i],
-                     element.values[q * n + element_columns[e][i]]);
+                     element.N(q, element_columns[e][i]));
         }
     };
     for_each_value([&](const unsigned int q, const unsigned int a, double N) {
@@ -152,20 +149,17 @@ namespace asperity
   void
   ContactAssembler::add_residual(Vector &residual) const
   {
-    for (const auto &element : table_.elements)
+    for (const auto &entry : table_.elements)
       {
-        const unsigned int n = element.functions.size();
+        const ElementView element(table_, entry);
         for (unsigned int q = 0; q < table_.points_per_element; ++q)
           {
-            const unsigned int point = element.first_point + q;
-            if (point_pressure[point] == 0.)
-              continue;
-            const Tensor<1, 2> force =
-              point_pressure[point] * table_.JxW[point] * gap[point].normal;
-            for (unsigned int a = 0; a < n; ++a)
-              for (unsigned int c = 0; c < 2; ++c)
-                residual(2 * element.functions[a] + c) -=
-                  element.values[q * n + a] * force[c];
+            const unsigned int point = element.point(q);
+            if (point_pressure[point] != 0.)
+              element.add_force(q,
+                                -point_pressure[point] * element.JxW(q) *
+                                  gap[point].normal,
+                                residual);
           }
       }
   }

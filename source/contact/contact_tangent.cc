@@ -1,4 +1,5 @@
 #include <asperity/contact/contact_assembler.h>
+#include <asperity/isogeometric/element_view.h>
 
 #include <algorithm>
 
@@ -12,21 +13,21 @@ namespace asperity
     /** K_ab += factor N_a N_b v (x) v at point q of an element, for the
      *  functions in the given columns of the table. */
     void
-    add_dyad(const BasisTable::Element       &element,
+    add_dyad(const ElementView               &element,
              const std::vector<unsigned int> &columns,
              const unsigned int               q,
              const double                     factor,
              const Tensor<1, 2>              &v,
              Matrix                          &tangent)
     {
-      const double *N = &element.values[q * element.functions.size()];
       for (const unsigned int a : columns)
         for (const unsigned int b : columns)
           for (unsigned int i = 0; i < 2; ++i)
             for (unsigned int j = 0; j < 2; ++j)
-              tangent.add(2 * element.functions[a] + i,
-                          2 * element.functions[b] + j,
-                          factor * N[a] * N[b] * v[i] * v[j]);
+              tangent.add(element.dof(a, i),
+                          element.dof(b, j),
+                          factor * element.N(q, a) * element.N(q, b) * v[i] *
+                            v[j]);
     }
   } // namespace
 
@@ -41,8 +42,8 @@ namespace asperity
     for (unsigned int e = 0; e < table_.elements.size(); ++e)
       for (unsigned int q = 0; q < table_.points_per_element; ++q)
         {
-          const auto        &element = table_.elements[e];
-          const unsigned int point   = element.first_point + q;
+          const ElementView  element(table_, table_.elements[e]);
+          const unsigned int point = element.point(q);
           if (point_pressure[point] == 0.)
             continue;
           const GapPoint &g = gap[point];
@@ -54,7 +55,7 @@ namespace asperity
           add_dyad(element,
                    element_columns[e],
                    q,
-                   -point_pressure[point] * hessian * table_.JxW[point],
+                   -point_pressure[point] * hessian * element.JxW(q),
                    tangential,
                    tangent);
         }
@@ -72,9 +73,9 @@ namespace asperity
         h[c].resize(neighbours[c].size());
     for (unsigned int e = 0; e < table_.elements.size(); ++e)
       {
-        const auto        &element   = table_.elements[e];
-        const unsigned int n         = element.functions.size();
-        const auto        &functions = element_functions[e];
+        const ElementView element(table_, table_.elements[e]);
+        const auto       &functions = element_functions[e];
+        const auto       &columns   = element_columns[e];
         for (unsigned int i = 0; i < functions.size(); ++i)
           {
             const unsigned int c = functions[i];
@@ -88,10 +89,9 @@ namespace asperity
                                    functions[j]) -
                   neighbours[c].begin();
                 for (unsigned int q = 0; q < table_.points_per_element; ++q)
-                  h[c][slot] += element.values[q * n + element_columns[e][i]] *
-                                element.values[q * n + element_columns[e][j]] *
-                                table_.JxW[element.first_point + q] *
-                                gap[element.first_point + q].normal;
+                  h[c][slot] += element.N(q, columns[i]) *
+                                element.N(q, columns[j]) * element.JxW(q) *
+                                gap[element.point(q)].normal;
               }
           }
       }
@@ -100,8 +100,8 @@ namespace asperity
         for (unsigned int l = 0; l < h[c].size(); ++l)
           for (unsigned int i = 0; i < 2; ++i)
             for (unsigned int j = 0; j < 2; ++j)
-              tangent.add(2 * edge_functions[neighbours[c][k]] + i,
-                          2 * edge_functions[neighbours[c][l]] + j,
+              tangent.add(displacement_dof(edge_functions[neighbours[c][k]], i),
+                          displacement_dof(edge_functions[neighbours[c][l]], j),
                           options_.penalty / weight[c] * h[c][k][i] *
                             h[c][l][j]);
   }
@@ -114,13 +114,13 @@ namespace asperity
     for (unsigned int e = 0; e < table_.elements.size(); ++e)
       for (unsigned int q = 0; q < table_.points_per_element; ++q)
         {
-          const auto        &element = table_.elements[e];
-          const unsigned int point   = element.first_point + q;
+          const ElementView  element(table_, table_.elements[e]);
+          const unsigned int point = element.point(q);
           if (point_pressure[point] > 0.)
             add_dyad(element,
                      element_columns[e],
                      q,
-                     options_.penalty * table_.JxW[point],
+                     options_.penalty * element.JxW(q),
                      gap[point].normal,
                      tangent);
         }

@@ -1,6 +1,7 @@
 #include <asperity/base/errors.h>
 #include <asperity/contact/curve_obstacle.h>
 #include <asperity/contact_zone/scene.h>
+#include <asperity/isogeometric/element_view.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -173,8 +174,8 @@ namespace asperity
                                       linear_solver :
                                       DirectSolverKind::umfpack);
     // A chip that floats on oil is held by the oil's volume alone.
-    equilibrium->set_support(2 * space->edge_functions(Edge::bottom).front() +
-                             1);
+    equilibrium->set_support(
+      displacement_dof(space->edge_functions(Edge::bottom).front(), 1));
   }
 
 
@@ -226,12 +227,13 @@ namespace asperity
     constraints_.close();
     const BasisTable bottom = tabulate_edge(
       *space, geometry, Edge::bottom, dealii::QGauss<1>(space->degree() + 1));
-    for (const auto &element : bottom.elements)
-      for (unsigned int q = 0; q < bottom.points_per_element; ++q)
-        for (unsigned int a = 0; a < element.functions.size(); ++a)
-          bottom_load_(2 * element.functions[a] + 1) +=
-            element.values[q * element.functions.size() + a] *
-            bottom.JxW[element.first_point + q];
+    for (const auto &entry : bottom.elements)
+      {
+        const ElementView element(bottom, entry);
+        for (unsigned int q = 0; q < bottom.points_per_element; ++q)
+          for (unsigned int a = 0; a < element.n_functions(); ++a)
+            bottom_load_(element.dof(a, 1)) += element.N(q, a) * element.JxW(q);
+      }
   }
 
 
@@ -298,8 +300,8 @@ namespace asperity
     Vector u(n_unknowns());
     for (unsigned int a = 0; a < space->n_functions(); ++a)
       {
-        u(2 * a)     = x;
-        u(2 * a + 1) = y;
+        u(displacement_dof(a, 0)) = x;
+        u(displacement_dof(a, 1)) = y;
       }
     return u;
   }

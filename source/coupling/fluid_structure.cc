@@ -136,7 +136,8 @@ namespace asperity
     body.space->evaluate(cell, parameter, N);
     for (unsigned int a = 0; a < N.size(); ++a)
       for (unsigned int c = 0; c < 2; ++c)
-        value[c] += N[a] * u(2 * body.space->cell_functions(cell)[a] + c);
+        value[c] +=
+          N[a] * u(displacement_dof(body.space->cell_functions(cell)[a], c));
     return value;
   }
 

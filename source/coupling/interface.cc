@@ -107,7 +107,7 @@ namespace asperity
     for (unsigned int i = 0; i < n_points(); ++i)
       for (const auto &[a, N] : rows[i])
         for (unsigned int c = 0; c < 2; ++c)
-          values(2 * i + c) += N * u(2 * a + c);
+          values(2 * i + c) += N * u(displacement_dof(a, c));
     return values;
   }
 
@@ -121,7 +121,7 @@ namespace asperity
     for (unsigned int i = 0; i < n_points(); ++i)
       for (const auto &[a, N] : rows[i])
         for (unsigned int c = 0; c < 2; ++c)
-          loads(2 * a + c) += N * force(2 * i + c);
+          loads(displacement_dof(a, c)) += N * force(2 * i + c);
   }
 
 

@@ -79,10 +79,10 @@ namespace asperity
 
 
 
-  const BasisTable::Element &
+  ElementView
   FilmEdge::element_of(const unsigned int cell) const
   {
-    return table.elements[cell / cells_per_span];
+    return {table, table.elements[cell / cells_per_span]};
   }
 
 
@@ -90,8 +90,7 @@ namespace asperity
   unsigned int
   FilmEdge::first_point(const unsigned int cell) const
   {
-    return element_of(cell).first_point +
-           (cell % cells_per_span) * (n_gauss + 1);
+    return element_of(cell).point(0) + (cell % cells_per_span) * (n_gauss + 1);
   }
 
 
@@ -99,7 +98,7 @@ namespace asperity
   unsigned int
   FilmEdge::local_point(const unsigned int cell, const unsigned int point) const
   {
-    return point - element_of(cell).first_point;
+    return point - element_of(cell).point(0);
   }
 
 
@@ -108,22 +107,17 @@ namespace asperity
   FilmEdge::measure(const dealii::Vector<double> &u,
                     const Tensor<1, 2>           &tool_offset)
   {
-    for (const auto &element : table.elements)
+    for (const auto &entry : table.elements)
       for (unsigned int q = 0; q < table.points_per_element; ++q)
         {
-          const unsigned int n = element.functions.size();
-          const unsigned int i = element.first_point + q;
+          const ElementView  element(table, entry);
+          const unsigned int i = element.point(q);
           // Before deformation the unit tangent: the normal turned clockwise.
           x[i]          = table.position[i];
           stretch[i][0] = table.normal[i][1];
           stretch[i][1] = -table.normal[i][0];
-          for (unsigned int a = 0; a < n; ++a)
-            for (unsigned int c = 0; c < 2; ++c)
-              {
-                const double ua = u(2 * element.functions[a] + c);
-                x[i][c] += element.values[q * n + a] * ua;
-                stretch[i][c] += element.gradients[q * n + a][0] * ua;
-              }
+          element.add_displacement(q, u, x[i]);
+          element.add_stretch(q, u, stretch[i]);
           const auto   Y     = tool.derivatives(x[i][0] - tool_offset[0], 1);
           const double gap   = Y[0][1] + tool_offset[1] - x[i][1];
           thickness[i]       = film_gap.value(gap);
@@ -176,25 +170,24 @@ namespace asperity
   SparseGradient
   FilmEdge::volume_gradient(const unsigned int cell) const
   {
-    const BasisTable::Element &element = element_of(cell);
-    const unsigned int         n       = element.functions.size();
-    SparseGradient             gradient;
-    for (unsigned int a = 0; a < n; ++a)
+    const ElementView element = element_of(cell);
+    SparseGradient    gradient;
+    for (unsigned int a = 0; a < element.n_functions(); ++a)
       {
         double by_x = 0., by_y = 0.;
         for (unsigned int k = 1; k <= n_gauss; ++k)
           {
             const unsigned int i  = first_point(cell) + k;
             const unsigned int q  = local_point(cell, i);
-            const double       N  = element.values[q * n + a];
-            const double       dN = element.gradients[q * n + a][0];
+            const double       N  = element.N(q, a);
+            const double       dN = element.gradient(q, a)[0];
             const double       moved =
               table.JxW[i] * thickness_slope[i] * stretch[i][0] * N;
             by_x += moved * tool_slope[i] + table.JxW[i] * thickness[i] * dN;
             by_y -= moved;
           }
-        gradient.emplace_back(2 * element.functions[a], by_x);
-        gradient.emplace_back(2 * element.functions[a] + 1, by_y);
+        gradient.emplace_back(element.dof(a, 0), by_x);
+        gradient.emplace_back(element.dof(a, 1), by_y);
       }
     return gradient;
   }
@@ -212,13 +205,11 @@ namespace asperity
   SparseGradient
   FilmEdge::position_gradient(const unsigned int face) const
   {
-    const BasisTable::Element &element = element_of(face);
-    const unsigned int         n       = element.functions.size();
-    const unsigned int         q       = local_point(face, first_point(face));
-    SparseGradient             gradient;
-    for (unsigned int a = 0; a < n; ++a)
-      gradient.emplace_back(2 * element.functions[a],
-                            element.values[q * n + a]);
+    const ElementView  element = element_of(face);
+    const unsigned int q       = local_point(face, first_point(face));
+    SparseGradient     gradient;
+    for (unsigned int a = 0; a < element.n_functions(); ++a)
+      gradient.emplace_back(element.dof(a, 0), element.N(q, a));
     return gradient;
   }
 
@@ -250,22 +241,21 @@ namespace asperity
   SparseGradient
   FilmEdge::area_vector(const unsigned int cell) const
   {
-    const BasisTable::Element &element = element_of(cell);
-    const unsigned int         n       = element.functions.size();
-    SparseGradient             area;
-    for (unsigned int a = 0; a < n; ++a)
+    const ElementView element = element_of(cell);
+    SparseGradient    area;
+    for (unsigned int a = 0; a < element.n_functions(); ++a)
       {
         Tensor<1, 2> sum;
         for (unsigned int k = 1; k <= n_gauss; ++k)
           {
             const unsigned int i = first_point(cell) + k;
             const double       weight =
-              table.JxW[i] * element.values[local_point(cell, i) * n + a];
+              table.JxW[i] * element.N(local_point(cell, i), a);
             sum[0] -= weight * stretch[i][1];
             sum[1] += weight * stretch[i][0];
           }
         for (unsigned int c = 0; c < 2; ++c)
-          area.emplace_back(2 * element.functions[a] + c, sum[c]);
+          area.emplace_back(element.dof(a, c), sum[c]);
       }
     return area;
   }
@@ -276,9 +266,10 @@ namespace asperity
   FilmEdge::cell_dofs(const unsigned int cell) const
   {
     std::vector<unsigned int> dofs;
-    for (const unsigned int function : element_of(cell).functions)
+    const ElementView         element = element_of(cell);
+    for (unsigned int a = 0; a < element.n_functions(); ++a)
       for (unsigned int c = 0; c < 2; ++c)
-        dofs.push_back(2 * function + c);
+        dofs.push_back(element.dof(a, c));
     return dofs;
   }
 } // namespace asperity

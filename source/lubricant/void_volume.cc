@@ -1,3 +1,4 @@
+#include <asperity/isogeometric/element_view.h>
 #include <asperity/lubricant/void_volume.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -107,29 +108,22 @@ namespace asperity
     point = table.position;
     tangent.resize(point.size());
     node.resize(n_elements());
-    for (const auto &element : table.elements)
+    for (const auto &entry : table.elements)
       for (unsigned int q = 0; q < table.points_per_element; ++q)
         {
-          const unsigned int n = element.functions.size();
-          const unsigned int i = element.first_point + q;
+          const ElementView  element(table, entry);
+          const unsigned int i = element.point(q);
           // Before deformation the unit tangent: the normal turned clockwise.
           tangent[i][0] = table.normal[i][1];
           tangent[i][1] = -table.normal[i][0];
-          for (unsigned int a = 0; a < n; ++a)
-            for (unsigned int c = 0; c < 2; ++c)
-              {
-                const double ua = u(2 * element.functions[a] + c);
-                point[i][c] += element.values[q * n + a] * ua;
-                tangent[i][c] += element.gradients[q * n + a][0] * ua;
-              }
+          element.add_displacement(q, u, point[i]);
+          element.add_stretch(q, u, tangent[i]);
         }
     for (unsigned int e = 0; e < n_elements(); ++e)
       {
-        const auto &element = ends.elements[e];
-        node[e]             = ends.position[element.first_point];
-        for (unsigned int a = 0; a < element.functions.size(); ++a)
-          for (unsigned int c = 0; c < 2; ++c)
-            node[e][c] += element.values[a] * u(2 * element.functions[a] + c);
+        const ElementView element(ends, ends.elements[e]);
+        node[e] = ends.position[element.point(0)];
+        element.add_displacement(0, u, node[e]);
       }
   }
 
@@ -217,27 +211,28 @@ namespace asperity
   {
     for (unsigned int k = 0; k < s.n; ++k)
       {
-        const auto &element  = table.elements[(s.first + k) % n_elements()];
-        const unsigned int n = element.functions.size();
+        const ElementView  element(table,
+                                  table.elements[(s.first + k) % n_elements()]);
+        const unsigned int n = element.n_functions();
         for (unsigned int q = 0; q < table.points_per_element; ++q)
           {
-            const unsigned int i = element.first_point + q;
-            const double       w = factor * table.JxW[i];
+            const unsigned int i = element.point(q);
+            const double       w = factor * element.JxW(q);
             for (unsigned int a = 0; a < n; ++a)
               {
-                const unsigned int dof = 2 * element.functions[a];
-                g(dof) -= w * point[i][1] * element.gradients[q * n + a][0];
-                g(dof + 1) -= w * tangent[i][0] * element.values[q * n + a];
+                g(element.dof(a, 0)) -=
+                  w * point[i][1] * element.gradient(q, a)[0];
+                g(element.dof(a, 1)) -= w * tangent[i][0] * element.N(q, a);
               }
           }
       }
     if (is_closed(s))
       return;
     const auto add_end = [&](const unsigned int e, const double sign) {
-      const auto  &element = ends.elements[e];
-      const double Y       = tool.value(node[e][0])[1];
-      for (unsigned int a = 0; a < element.functions.size(); ++a)
-        g(2 * element.functions[a]) += sign * factor * Y * element.values[a];
+      const ElementView element(ends, ends.elements[e]);
+      const double      Y = tool.value(node[e][0])[1];
+      for (unsigned int a = 0; a < element.n_functions(); ++a)
+        g(element.dof(a, 0)) += sign * factor * Y * element.N(0, a);
     };
     add_end(end_of(s).first, 1.);
     add_end(s.first, -1.);
@@ -252,19 +247,20 @@ namespace asperity
   {
     for (unsigned int k = 0; k < s.n; ++k)
       {
-        const auto &element  = table.elements[(s.first + k) % n_elements()];
-        const unsigned int n = element.functions.size();
+        const ElementView  element(table,
+                                  table.elements[(s.first + k) % n_elements()]);
+        const unsigned int n = element.n_functions();
         for (unsigned int q = 0; q < table.points_per_element; ++q)
           {
-            const double w = factor * table.JxW[element.first_point + q];
+            const double w = factor * element.JxW(q);
             for (unsigned int a = 0; a < n; ++a)
               for (unsigned int b = 0; b < n; ++b)
                 {
                   // -(y_a x_b' + x_b' y_a), both halves of the symmetric form
-                  const double value = -w * element.values[q * n + a] *
-                                       element.gradients[q * n + b][0];
-                  const unsigned int y = 2 * element.functions[a] + 1;
-                  const unsigned int x = 2 * element.functions[b];
+                  const double value =
+                    -w * element.N(q, a) * element.gradient(q, b)[0];
+                  const unsigned int y = element.dof(a, 1);
+                  const unsigned int x = element.dof(b, 0);
                   K.add(y, x, value);
                   K.add(x, y, value);
                 }
@@ -273,13 +269,13 @@ namespace asperity
     if (is_closed(s))
       return;
     const auto add_end = [&](const unsigned int e, const double sign) {
-      const auto  &element = ends.elements[e];
-      const double slope   = tool.derivatives(node[e][0], 1)[1][1];
-      for (unsigned int a = 0; a < element.functions.size(); ++a)
-        for (unsigned int b = 0; b < element.functions.size(); ++b)
-          K.add(2 * element.functions[a],
-                2 * element.functions[b],
-                sign * factor * slope * element.values[a] * element.values[b]);
+      const ElementView element(ends, ends.elements[e]);
+      const double      slope = tool.derivatives(node[e][0], 1)[1][1];
+      for (unsigned int a = 0; a < element.n_functions(); ++a)
+        for (unsigned int b = 0; b < element.n_functions(); ++b)
+          K.add(element.dof(a, 0),
+                element.dof(b, 0),
+                sign * factor * slope * element.N(0, a) * element.N(0, b));
     };
     add_end(end_of(s).first, 1.);
     add_end(s.first, -1.);
@@ -294,6 +290,6 @@ namespace asperity
       for (const unsigned int a : element.functions)
         for (const unsigned int b : element.functions)
           for (unsigned int c = 0; c < 4; ++c)
-            pattern.add(2 * a + c / 2, 2 * b + c % 2);
+            pattern.add(displacement_dof(a, c / 2), displacement_dof(b, c % 2));
   }
 } // namespace asperity

@@ -1,3 +1,4 @@
+#include <asperity/isogeometric/element_view.h>
 #include <asperity/solid/edge_load.h>
 
 #include <deal.II/base/numbers.h>
@@ -84,7 +85,7 @@ namespace asperity
         for (const unsigned int b : element.functions)
           for (unsigned int i = 0; i < 2; ++i)
             for (unsigned int j = 0; j < 2; ++j)
-              pattern.add(2 * a + i, 2 * b + j);
+              pattern.add(displacement_dof(a, i), displacement_dof(b, j));
   }
 
 
@@ -109,19 +110,16 @@ namespace asperity
   void
   EdgeLoad::add_dead(Vector &residual) const
   {
-    for (const auto &element : table.elements)
+    for (const auto &entry : table.elements)
       {
-        const unsigned int n = element.functions.size();
+        const ElementView element(table, entry);
         for (unsigned int q = 0; q < table.points_per_element; ++q)
           {
-            const unsigned int point  = element.first_point + q;
-            double             weight = factor_ * table.JxW[point];
+            const unsigned int point  = element.point(q);
+            double             weight = factor_ * element.JxW(q);
             if (kinematics == Kinematics::axisymmetric)
               weight *= 2. * dealii::numbers::PI * table.position[point][0];
-            for (unsigned int a = 0; a < n; ++a)
-              for (unsigned int c = 0; c < 2; ++c)
-                residual(2 * element.functions[a] + c) -=
-                  weight * element.values[q * n + a] * traction[point][c];
+            element.add_force(q, -weight * traction[point], residual);
           }
       }
   }
@@ -129,18 +127,17 @@ namespace asperity
 
 
   void
-  EdgeLoad::add_follower(const BasisTable::Element    &element,
+  EdgeLoad::add_follower(const BasisTable::Element    &entry,
                          const Vector                 &u,
                          Vector                       &residual,
                          dealii::SparseMatrix<double> *tangent) const
   {
     const bool         axisymmetric = (kinematics == Kinematics::axisymmetric);
-    const unsigned int n            = element.functions.size();
+    const ElementView  element(table, entry);
+    const unsigned int n = element.n_functions();
     for (unsigned int q = 0; q < table.points_per_element; ++q)
       {
-        const unsigned int  point = element.first_point + q;
-        const double       *N     = &element.values[q * n];
-        const Tensor<1, 2> *dN    = &element.gradients[q * n];
+        const unsigned int point = element.point(q);
 
         // The derivative of x along the edge. Before deformation it is the
         // unit tangent, a turn of the normal.
@@ -149,37 +146,34 @@ namespace asperity
         stretch[0]    = -outward * normal[1];
         stretch[1]    = outward * normal[0];
         double radius = table.position[point][0];
+        element.add_stretch(q, u, stretch);
         for (unsigned int a = 0; a < n; ++a)
-          {
-            for (unsigned int c = 0; c < 2; ++c)
-              stretch[c] += dN[a][0] * u(2 * element.functions[a] + c);
-            radius += N[a] * u(2 * element.functions[a]);
-          }
+          radius += element.N(q, a) * u(element.dof(a, 0));
         const double circumference =
           axisymmetric ? 2. * dealii::numbers::PI : 1.;
-        const double weight = factor_ * pressure[point] * table.JxW[point] *
-                              outward * circumference;
+        const double weight =
+          factor_ * pressure[point] * element.JxW(q) * outward * circumference;
         const double ring         = axisymmetric ? radius : 1.;
         const double direction[2] = {stretch[1], -stretch[0]};
         for (unsigned int a = 0; a < n; ++a)
           for (unsigned int i = 0; i < 2; ++i)
-            residual(2 * element.functions[a] + i) +=
-              weight * ring * N[a] * direction[i];
+            residual(element.dof(a, i)) +=
+              weight * ring * element.N(q, a) * direction[i];
         if (tangent == nullptr)
           continue;
         for (unsigned int a = 0; a < n; ++a)
           for (unsigned int b = 0; b < n; ++b)
             {
-              const unsigned int row    = 2 * element.functions[a];
-              const unsigned int column = 2 * element.functions[b];
-              const double       turn   = weight * ring * N[a] * dN[b][0];
-              tangent->add(row, column + 1, turn);
-              tangent->add(row + 1, column, -turn);
+              const double turn =
+                weight * ring * element.N(q, a) * element.gradient(q, b)[0];
+              tangent->add(element.dof(a, 0), element.dof(b, 1), turn);
+              tangent->add(element.dof(a, 1), element.dof(b, 0), -turn);
               if (axisymmetric)
                 for (unsigned int i = 0; i < 2; ++i)
-                  tangent->add(row + i,
-                               column,
-                               weight * N[a] * N[b] * direction[i]);
+                  tangent->add(element.dof(a, i),
+                               element.dof(b, 0),
+                               weight * element.N(q, a) * element.N(q, b) *
+                                 direction[i]);
             }
       }
   }

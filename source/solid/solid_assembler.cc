@@ -1,3 +1,4 @@
+#include <asperity/isogeometric/element_view.h>
 #include <asperity/solid/solid_assembler.h>
 
 #include <deal.II/base/numbers.h>
@@ -117,8 +118,8 @@ namespace asperity
         dofs.clear();
         for (const unsigned int a : element.functions)
           {
-            dofs.push_back(2 * a);
-            dofs.push_back(2 * a + 1);
+            dofs.push_back(displacement_dof(a, 0));
+            dofs.push_back(displacement_dof(a, 1));
           }
         std::sort(dofs.begin(), dofs.end());
         for (const unsigned int row : dofs)
@@ -182,18 +183,19 @@ namespace asperity
 
 
   bool
-  SolidAssembler::integrate(const BasisTable::Element &element,
+  SolidAssembler::integrate(const BasisTable::Element &entry,
                             const Vector              &u,
                             const bool                 with_tangent,
                             Scratch                   &s)
   {
-    const bool axisymmetric = (kinematics == Kinematics::axisymmetric);
-    s.resize(element.functions.size());
+    const bool        axisymmetric = (kinematics == Kinematics::axisymmetric);
+    const ElementView element(table_, entry);
+    s.resize(element.n_functions());
     const unsigned int n = s.n;
     for (unsigned int a = 0; a < n; ++a)
       for (unsigned int c = 0; c < 2; ++c)
         {
-          s.dofs[2 * a + c]         = 2 * element.functions[a] + c;
+          s.dofs[2 * a + c]         = element.dof(a, c);
           s.displacement[2 * a + c] = u(s.dofs[2 * a + c]);
         }
     if (with_tangent)
@@ -203,12 +205,12 @@ namespace asperity
 
     for (unsigned int q = 0; q < table_.points_per_element; ++q)
       {
-        const unsigned int point  = element.first_point + q;
-        const double       weight = table_.JxW[point];
+        const unsigned int point  = element.point(q);
+        const double       weight = element.JxW(q);
         Tensor<2, 3>       F      = dealii::unit_symmetric_tensor<3>();
         for (unsigned int a = 0; a < n; ++a)
           {
-            const Tensor<1, 2> &gradient = element.gradients[q * n + a];
+            const Tensor<1, 2> &gradient = element.gradient(q, a);
             const double        u_x      = s.displacement[2 * a],
                          u_y             = s.displacement[2 * a + 1];
             s.gradient_x[a]              = gradient[0];
@@ -219,8 +221,7 @@ namespace asperity
             F[1][1] += u_y * gradient[1];
             if (axisymmetric)
               {
-                s.hoop[a] =
-                  element.values[q * n + a] / table_.position[point][0];
+                s.hoop[a] = element.N(q, a) / table_.position[point][0];
                 F[2][2] += u_x * s.hoop[a];
               }
           }
@@ -337,21 +338,18 @@ namespace asperity
   {
     mass                 = 0.;
     const double density = law_->density();
-    for (const auto &element : table_.elements)
+    for (const auto &entry : table_.elements)
       {
-        const unsigned int n = element.functions.size();
-        for (unsigned int a = 0; a < n; ++a)
-          for (unsigned int b = 0; b < n; ++b)
+        const ElementView element(table_, entry);
+        for (unsigned int a = 0; a < element.n_functions(); ++a)
+          for (unsigned int b = 0; b < element.n_functions(); ++b)
             {
-              double entry = 0.;
+              double sum = 0.;
               for (unsigned int q = 0; q < table_.points_per_element; ++q)
-                entry += density * element.values[q * n + a] *
-                         element.values[q * n + b] *
-                         table_.JxW[element.first_point + q];
+                sum +=
+                  density * element.N(q, a) * element.N(q, b) * element.JxW(q);
               for (unsigned int c = 0; c < 2; ++c)
-                mass.add(2 * element.functions[a] + c,
-                         2 * element.functions[b] + c,
-                         entry);
+                mass.add(element.dof(a, c), element.dof(b, c), sum);
             }
       }
   }
@@ -362,13 +360,12 @@ namespace asperity
   SolidAssembler::add_body_force(const Tensor<1, 2> &force,
                                  Vector             &external) const
   {
-    for (const auto &element : table_.elements)
-      for (unsigned int a = 0; a < element.functions.size(); ++a)
+    for (const auto &entry : table_.elements)
+      {
+        const ElementView element(table_, entry);
         for (unsigned int q = 0; q < table_.points_per_element; ++q)
-          for (unsigned int c = 0; c < 2; ++c)
-            external(2 * element.functions[a] + c) +=
-              force[c] * element.values[q * element.functions.size() + a] *
-              table_.JxW[element.first_point + q];
+          element.add_force(q, element.JxW(q) * force, external);
+      }
   }
 
 

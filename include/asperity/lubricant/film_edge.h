@@ -1,7 +1,7 @@
 #ifndef asperity_lubricant_film_edge_h
 #define asperity_lubricant_film_edge_h
 
-#include <asperity/isogeometric/basis_table.h>
+#include <asperity/isogeometric/element_view.h>
 #include <asperity/isogeometric/spline_space.h>
 #include <asperity/lubricant/film_gap.h>
 #include <asperity/splines/spline_curve.h>
@@ -96,7 +96,7 @@ namespace asperity
     cell_dofs(const unsigned int cell) const;
 
   private:
-    const BasisTable::Element &
+    ElementView
     element_of(const unsigned int cell) const;
 
     /** Of a cell: its start; points 1 .. n_gauss behind it are inside. */
@@ -128,8 +128,8 @@ namespace asperity
   FilmEdge::for_each_area_derivative(const unsigned int cell,
                                      const Action      &action) const
   {
-    const BasisTable::Element &element = element_of(cell);
-    const unsigned int         n       = element.functions.size();
+    const ElementView  element = element_of(cell);
+    const unsigned int n       = element.n_functions();
     for (unsigned int k = 1; k <= n_gauss; ++k)
       {
         const unsigned int point = first_point(cell) + k;
@@ -138,13 +138,10 @@ namespace asperity
           for (unsigned int b = 0; b < n; ++b)
             {
               // n ds = (-y', x') dS
-              const double value = table.JxW[point] *
-                                   element.values[q * n + a] *
-                                   element.gradients[q * n + b][0];
-              const unsigned int i = 2 * element.functions[a];
-              const unsigned int j = 2 * element.functions[b];
-              action(i, j + 1, -value);
-              action(i + 1, j, value);
+              const double value =
+                table.JxW[point] * element.N(q, a) * element.gradient(q, b)[0];
+              action(element.dof(a, 0), element.dof(b, 1), -value);
+              action(element.dof(a, 1), element.dof(b, 0), value);
             }
       }
   }

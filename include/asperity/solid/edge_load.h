@@ -80,7 +80,7 @@ namespace asperity
     add_dead(dealii::Vector<double> &residual) const;
 
     void
-    add_follower(const BasisTable::Element    &element,
+    add_follower(const BasisTable::Element    &entry,
                  const dealii::Vector<double> &u,
                  dealii::Vector<double>       &residual,
                  dealii::SparseMatrix<double> *tangent) const;

@@ -88,7 +88,7 @@ namespace asperity
     struct Scratch;
 
     bool
-    integrate(const BasisTable::Element    &element,
+    integrate(const BasisTable::Element    &entry,
               const dealii::Vector<double> &u,
               const bool                    with_tangent,
               Scratch                      &scratch);
