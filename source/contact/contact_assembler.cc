@@ -21,6 +21,7 @@ namespace asperity
     : space(std::move(space))
     , obstacle(std::move(obstacle))
     , options_(options)
+    , law{options.penalty}
     , table_(tabulate_edge(*this->space,
                            geometry,
                            edge,
@@ -42,6 +43,7 @@ namespace asperity
                         edge_functions.size() :
                         table_.JxW.size(),
                       0.);
+    slope.assign(multiplier.size(), 0.);
     std::vector<std::set<unsigned int>> overlap(edge_functions.size());
     for (const auto &entry : table_.elements)
       {
@@ -116,8 +118,11 @@ namespace asperity
     if (options_.formulation == ContactFormulation::gauss_point)
       {
         for (unsigned int q = 0; q < gap.size(); ++q)
-          point_pressure[q] =
-            std::max(0., multiplier[q] - options_.penalty * gap[q].gap);
+          {
+            const ContactPressure p = law.evaluate(gap[q].gap, multiplier[q]);
+            point_pressure[q]       = p.value;
+            slope[q]                = p.slope;
+          }
         return;
       }
     std::vector<double> weighted_gap(edge_functions.size(), 0.);
@@ -136,8 +141,12 @@ namespace asperity
       weighted_gap[a] += N * gap[q].gap * table_.JxW[q];
     });
     for (unsigned int a = 0; a < weighted_gap.size(); ++a)
-      function_pressure[a] = std::max(
-        0., multiplier[a] - options_.penalty * weighted_gap[a] / weight[a]);
+      {
+        const ContactPressure p =
+          law.evaluate(weighted_gap[a] / weight[a], multiplier[a]);
+        function_pressure[a] = p.value;
+        slope[a]             = p.slope;
+      }
     std::fill(point_pressure.begin(), point_pressure.end(), 0.);
     for_each_value([&](const unsigned int q, const unsigned int a, double N) {
       point_pressure[q] += N * function_pressure[a];
@@ -258,7 +267,8 @@ namespace asperity
           {
             const unsigned int point = table_.elements[e].first_point + q;
             const double       p     = point_pressure[point];
-            if (inside || (p > 0. && p > options_.penalty * gap[point].gap))
+            if (inside ||
+                (p > 0. && law.evaluate(gap[point].gap, p).value > 0.))
               length += table_.JxW[point];
           }
       }

@@ -69,7 +69,7 @@ namespace asperity
     // h[c][b] = int N_c N_b n for the active functions c.
     std::vector<std::vector<Tensor<1, 2>>> h(edge_functions.size());
     for (unsigned int c = 0; c < h.size(); ++c)
-      if (function_pressure[c] > 0.)
+      if (slope[c] != 0.)
         h[c].resize(neighbours[c].size());
     for (unsigned int e = 0; e < table_.elements.size(); ++e)
       {
@@ -102,8 +102,7 @@ namespace asperity
             for (unsigned int j = 0; j < 2; ++j)
               tangent.add(displacement_dof(edge_functions[neighbours[c][k]], i),
                           displacement_dof(edge_functions[neighbours[c][l]], j),
-                          options_.penalty / weight[c] * h[c][k][i] *
-                            h[c][l][j]);
+                          -slope[c] / weight[c] * h[c][k][i] * h[c][l][j]);
   }
 
 
@@ -116,11 +115,11 @@ namespace asperity
         {
           const ElementView  element(table_, table_.elements[e]);
           const unsigned int point = element.point(q);
-          if (point_pressure[point] > 0.)
+          if (slope[point] != 0.)
             add_dyad(element,
                      element_columns[e],
                      q,
-                     options_.penalty * element.JxW(q),
+                     -slope[point] * element.JxW(q),
                      gap[point].normal,
                      tangent);
         }

@@ -1,6 +1,7 @@
 #ifndef asperity_contact_contact_assembler_h
 #define asperity_contact_contact_assembler_h
 
+#include <asperity/contact/contact_pressure_law.h>
 #include <asperity/contact/rigid_obstacle.h>
 #include <asperity/isogeometric/force_term.h>
 #include <asperity/isogeometric/spline_space.h>
@@ -146,6 +147,7 @@ namespace asperity
     std::shared_ptr<const SplineSpace>   space;
     std::shared_ptr<const RigidObstacle> obstacle;
     ContactOptions                       options_;
+    ContactPressureLaw                   law;
     BasisTable                           table_;
     dealii::Tensor<1, 2>                 offset;
 
@@ -156,6 +158,7 @@ namespace asperity
     std::vector<double>                    weight;     ///< W_a [m]
 
     std::vector<double>           multiplier;
+    std::vector<double>           slope; ///< dp/dg for each multiplier [Pa/m]
     std::vector<double>           hint;
     std::vector<dealii::Point<2>> position;
     std::vector<GapPoint>         gap;
