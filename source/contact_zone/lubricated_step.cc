@@ -5,13 +5,9 @@ namespace asperity
 {
   using Vector = dealii::Vector<double>;
 
-  ChipSide::ChipSide(Equilibrium &equilibrium,
-                     GapFlow     &oil,
-                     const double force_weight,
-                     const Solve &solve)
-    : equilibrium(equilibrium)
+  ChipSide::ChipSide(SolidStep &step, GapFlow &oil, const Solve &solve)
+    : step(step)
     , oil(oil)
-    , force_weight(force_weight)
     , solve_balance(solve)
   {}
 
@@ -39,7 +35,7 @@ namespace asperity
     u = start;
     // A tangent of an earlier step would make the run depend on where it was
     // interrupted.
-    is_factorised = false;
+    step.forget_tangent();
   }
 
 
@@ -48,10 +44,7 @@ namespace asperity
   ChipSide::solve(const Vector &force, Vector &displacement)
   {
     oil.set_force(force);
-    const unsigned int      n_before = equilibrium.cost().factorisations;
-    const ConvergenceReport report   = solve_balance(u);
-    if (equilibrium.cost().factorisations > n_before)
-      is_factorised = true;
+    const ConvergenceReport report = solve_balance(u);
     oil.set_chip(u);
     displacement = oil.interface().interpolate(u);
     return report;
@@ -63,17 +56,9 @@ namespace asperity
   ChipSide::compliance(const Vector &force, Vector &displacement)
   {
     Vector change(u.size());
-    if (!is_factorised)
-      {
-        Vector R(u.size());
-        if (!equilibrium.linearize(u, R) || !equilibrium.direction(R, change))
-          return false;
-        is_factorised = true;
-      }
-    change = 0.;
     oil.interface().add_loads(force, change);
-    equilibrium.back_substitute(change);
-    change *= force_weight;
+    if (!step.compliance(u, change))
+      return false;
     displacement = oil.interface().interpolate(change);
     return true;
   }
@@ -88,12 +73,11 @@ namespace asperity
 
 
 
-  LubricatedStep::LubricatedStep(Equilibrium              &equilibrium,
+  LubricatedStep::LubricatedStep(SolidStep                &chip_step,
                                  GapFlow                  &oil,
-                                 const double              force_weight,
                                  const ChipSide::Solve    &solve,
                                  const CouplingParameters &parameters)
-    : chip(equilibrium, oil, force_weight, solve)
+    : chip(chip_step, oil, solve)
     , step(chip, oil.side(), parameters)
   {}
 

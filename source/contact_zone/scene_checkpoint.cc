@@ -45,8 +45,9 @@ namespace asperity
         scene.lubricant->save(archive);
       if (const LubricatedStep *step = run.lubricated_step())
         step->save(archive);
-      if (const GeneralizedAlpha *dynamics = run.dynamics())
-        archive << dynamics->v << dynamics->a << run.old_forces;
+      const SolidStep::State motion = run.solid_step().state();
+      if (run.solid_step().is_dynamic())
+        archive << motion.v << motion.a << motion.forces;
     });
   }
 
@@ -56,6 +57,7 @@ namespace asperity
   load(const std::string &bytes, SlidingRun &run, Scene &scene)
   {
     RunState                   state       = run.state();
+    SolidStep::State           motion      = run.solid_step().state();
     std::vector<MaterialState> history     = scene.chip->history();
     std::vector<double>        multipliers = scene.contact->multipliers(),
                         hints              = scene.contact->hints();
@@ -68,14 +70,13 @@ namespace asperity
         scene.lubricant->load(archive);
       if (LubricatedStep *step = run.lubricated_step())
         step->load(archive);
-      if (GeneralizedAlpha *dynamics = run.dynamics())
-        {
-          dynamics->u = state.u;
-          archive >> fixed_length(dynamics->v, "velocities") >>
-            fixed_length(dynamics->a, "accelerations") >>
-            fixed_length(run.old_forces, "forces");
-        }
+      if (run.solid_step().is_dynamic())
+        archive >> fixed_length(motion.v, "velocities") >>
+          fixed_length(motion.a, "accelerations") >>
+          fixed_length(motion.forces, "forces");
     });
+    motion.u = state.u;
+    run.solid_step().set_state(motion);
     scene.chip->set_history(history);
     scene.contact->set_multipliers(multipliers);
     scene.contact->set_hints(hints);

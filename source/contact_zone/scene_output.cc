@@ -303,7 +303,7 @@ namespace asperity
                          {"plastic_strain", parameters.load.plastic_strain}};
     summary["models"] = {
       {"lubricant", name(parameters.lubrication.model)},
-      {"inertia", run.dynamics() == nullptr ? "quasi-static" : "dynamic"},
+      {"inertia", run.solid_step().is_dynamic() ? "dynamic" : "quasi-static"},
       {"heat", parameters.material.heats_itself() ? "adiabatic" : "isothermal"},
       {"material", scene.law->name()}};
     summary["mechanisms"] = mechanisms_of(parameters);

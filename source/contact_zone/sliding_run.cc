@@ -14,26 +14,26 @@ namespace asperity
     : parameters(parameters)
     , scene(scene)
     , protocol_(parameters.load, parameters.protocol)
+    , step(*scene.chip,
+           *scene.equilibrium,
+           scene.initial_unknowns(),
+           parameters.protocol.inertia == Inertia::dynamic ?
+             std::optional(parameters.protocol.spectral_radius) :
+             std::nullopt)
   {
     state_.u = state_.u_previous = scene.initial_unknowns();
     state_.rows.emplace_back();
     state_.rows.back().max_temperature    = parameters.load.temperature;
     state_.rows.back().max_plastic_strain = parameters.load.plastic_strain;
-    if (parameters.protocol.inertia != Inertia::dynamic)
+    if (!step.is_dynamic())
       return;
-    dynamics_ =
-      std::make_unique<GeneralizedAlpha>(parameters.protocol.spectral_radius);
-    dynamics_->u = scene.initial_unknowns();
-    dynamics_->v = scene.translation(parameters.load.velocity, 0.);
-    dynamics_->a.reinit(scene.n_unknowns());
-    old_forces.reinit(scene.n_unknowns());
-    mass = scene.equilibrium->make_matrix();
-    scene.chip->assemble_mass(*mass);
+    SolidStep::State start = step.state();
+    start.v                = scene.translation(parameters.load.velocity, 0.);
+    step.set_state(start);
     if (scene.gap_flow != nullptr)
       lubricated_step_ = std::make_unique<LubricatedStep>(
-        *scene.equilibrium,
+        step,
         *scene.gap_flow,
-        1. - dynamics_->alpha_f(),
         [this](Vector &u) { return solve(u); },
         parameters.lubrication.coupling);
   }
@@ -111,11 +111,9 @@ namespace asperity
     };
     warm_oil();
     begin_lubricant();
-    scene.chip->set_time_step(dt);
     Vector load = scene.bottom_load();
     load *= protocol_.pressure(state_.time + dt);
-    scene.equilibrium->set_load(load);
-    set_inertia(dt);
+    step.begin(dt, load);
     for (const Predictor &predict : predictors(dt))
       {
         Vector u = predict();
@@ -172,8 +170,7 @@ namespace asperity
     options.n_energy_components = scene.n_dofs();
     for (unsigned int augmentations = 0;;)
       {
-        ConvergenceReport report =
-          newton(*scene.equilibrium, u, options, statistics);
+        ConvergenceReport report = step.solve(u, options, statistics);
         if (!report.converged)
           {
             const std::string in_oil =
@@ -238,12 +235,12 @@ namespace asperity
     std::vector<Predictor> list;
     if (state_.step > 1)
       list.push_back(extrapolation);
-    if (dynamics_)
-      list.push_back([this, dt]() { return dynamics_->predict(dt); });
+    if (step.is_dynamic())
+      list.push_back([this]() { return step.predict(); });
     // At the start nothing but oil that is solved for can carry the chip.
     if (state_.step > 0 || scene.n_unknowns() > scene.n_dofs())
       list.push_back(translation);
-    if (!dynamics_)
+    if (!step.is_dynamic())
       list.push_back(touch);
     return list;
   }
@@ -278,34 +275,9 @@ namespace asperity
 
 
   void
-  SlidingRun::set_inertia(const double dt)
-  {
-    if (!dynamics_)
-      return;
-    // M (m u + b) + (1 - alpha_f) f(u) + alpha_f f_n
-    Vector constant(scene.n_unknowns());
-    mass->vmult(constant, dynamics_->constant(dt));
-    constant.add(dynamics_->alpha_f(), old_forces);
-    scene.equilibrium->set_inertia(mass.get(),
-                                   dynamics_->mass_factor(dt),
-                                   constant,
-                                   1. - dynamics_->alpha_f());
-  }
-
-
-
-  void
   SlidingRun::accept(const Vector &u, const double dt)
   {
-    if (dynamics_)
-      {
-        // Before the history moves on: the forces belong to this step.
-        scene.equilibrium->forces(u, old_forces);
-        old_forces.add(-protocol_.pressure(state_.time + dt),
-                       scene.bottom_load());
-        dynamics_->advance(u, dt);
-      }
-    scene.chip->accept();
+    step.accept(u);
     if (scene.lubricant)
       scene.lubricant->accept(u);
     state_.u_previous  = state_.u;
@@ -340,10 +312,18 @@ namespace asperity
 
 
 
-  GeneralizedAlpha *
-  SlidingRun::dynamics() const
+  SolidStep &
+  SlidingRun::solid_step()
   {
-    return dynamics_.get();
+    return step;
+  }
+
+
+
+  const SolidStep &
+  SlidingRun::solid_step() const
+  {
+    return step;
   }
 
 

@@ -165,9 +165,9 @@ namespace asperity
   void
   FluidStructure::load(InputArchive &archive)
   {
-    PartitionedStep   &coupled    = coupling(); // makes the sides
-    FluidState         flow_state = flow_.state();
-    SplineSolid::State body_state = solid_side->state();
+    PartitionedStep &coupled    = coupling(); // makes the sides
+    FluidState       flow_state = flow_.state();
+    SolidStep::State body_state = solid_side->state();
     flow_state.load(archive);
     body_state.load(archive);
     coupled.load(archive);
@@ -180,9 +180,9 @@ namespace asperity
   void
   FluidStructure::continue_from(const FluidStructure &other)
   {
-    PartitionedStep         &coupled    = coupling();
-    const SplineSolid::State body_state = other.solid().state();
-    const unsigned int       n          = solid_side->displacement().size();
+    PartitionedStep       &coupled    = coupling();
+    const SolidStep::State body_state = other.solid().state();
+    const unsigned int     n          = solid_side->displacement().size();
     if (body_state.u.size() != n)
       throw InputError("The body to continue from has " +
                        std::to_string(body_state.u.size()) +

@@ -1,4 +1,3 @@
-#include <asperity/base/archive.h>
 #include <asperity/coupling/spline_solid.h>
 
 #include <algorithm>
@@ -27,46 +26,33 @@ namespace asperity
                            const dealii::AffineConstraints<double> &constraints,
                            const Interface                         &interface,
                            const SplineSolidOptions                &options)
-    : solid(solid)
-    , interface(interface)
+    : interface(interface)
     , options(options)
     , load(interface)
     , equilibrium(2 * solid.space().n_functions(),
                   all_terms(solid, load, further_terms),
                   constraints,
                   options.solver)
-    , motion(options.spectral_radius)
     , u(2 * solid.space().n_functions())
-    , old_forces(u)
+    , step(solid,
+           equilibrium,
+           u,
+           options.dynamic ? std::optional(options.spectral_radius) :
+                             std::nullopt)
     , largest_load(options.load_floor)
-  {
-    motion.u = motion.v = motion.a = u;
-    if (options.dynamic)
-      {
-        mass = equilibrium.make_matrix();
-        solid.assemble_mass(*mass);
-      }
-  }
+  {}
 
 
 
   void
-  SplineSolid::begin_step(const double new_dt)
+  SplineSolid::begin_step(const double dt)
   {
-    dt = new_dt;
-    solid.set_time_step(dt);
-    u = motion.u;
-    if (!options.dynamic)
-      return;
-    Vector constant(u.size());
-    mass->vmult(constant, motion.constant(dt));
-    constant.add(motion.alpha_f(), old_forces);
-    equilibrium.set_inertia(mass.get(),
-                            motion.mass_factor(dt),
-                            constant,
-                            1. - motion.alpha_f());
+    step.begin(dt);
+    // A tangent of an earlier step would make the run depend on where it was
+    // interrupted.
+    step.forget_tangent();
+    u = step.state().u;
   }
-
 
 
   ConvergenceReport
@@ -80,12 +66,8 @@ namespace asperity
     NewtonOptions newton_options;
     newton_options.tolerance          = options.tolerance * largest_load;
     newton_options.maximum_iterations = options.maximum_iterations;
-    const unsigned int      n_before  = statistics_.iterations;
-    const ConvergenceReport report =
-      newton(equilibrium, u, newton_options, statistics_);
-    if (statistics_.iterations > n_before)
-      factorised_dt = dt;
-    displacement = interface.interpolate(u);
+    const ConvergenceReport report = step.solve(u, newton_options, statistics_);
+    displacement                   = interface.interpolate(u);
     return report;
   }
 
@@ -95,19 +77,9 @@ namespace asperity
   SplineSolid::compliance(const Vector &force, Vector &displacement)
   {
     Vector change(u.size());
-    if (factorised_dt != dt)
-      {
-        Vector R(u.size());
-        if (!equilibrium.linearize(u, R) || !equilibrium.direction(R, change))
-          return false;
-        factorised_dt = dt;
-      }
-    change = 0.;
     interface.add_loads(force, change);
-    equilibrium.back_substitute(change);
-    // The balance has the new forces by this weight.
-    if (options.dynamic)
-      change *= 1. - motion.alpha_f();
+    if (!step.compliance(u, change))
+      return false;
     displacement = interface.interpolate(change);
     return true;
   }
@@ -117,14 +89,7 @@ namespace asperity
   void
   SplineSolid::accept()
   {
-    if (options.dynamic)
-      {
-        equilibrium.forces(u, old_forces);
-        motion.advance(u, dt);
-      }
-    else
-      motion.u = u;
-    solid.accept();
+    step.accept(u);
   }
 
 
@@ -137,22 +102,19 @@ namespace asperity
 
 
 
-  SplineSolid::State
+  SolidStep::State
   SplineSolid::state() const
   {
-    return {motion.u, motion.v, motion.a, old_forces};
+    return step.state();
   }
 
 
 
   void
-  SplineSolid::set_state(const State &state)
+  SplineSolid::set_state(const SolidStep::State &state)
   {
-    u = motion.u  = state.u;
-    motion.v      = state.v;
-    motion.a      = state.a;
-    old_forces    = state.forces;
-    factorised_dt = 0.;
+    u = state.u;
+    step.set_state(state);
   }
 
 
@@ -161,22 +123,5 @@ namespace asperity
   SplineSolid::statistics() const
   {
     return statistics_;
-  }
-
-
-
-  void
-  SplineSolid::State::save(OutputArchive &archive) const
-  {
-    archive << u << v << a << forces;
-  }
-
-
-
-  void
-  SplineSolid::State::load(InputArchive &archive)
-  {
-    for (Vector *x : {&u, &v, &a, &forces})
-      archive >> fixed_length(*x, "unknowns of a body");
   }
 } // namespace asperity

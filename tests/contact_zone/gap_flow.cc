@@ -69,7 +69,7 @@ TEST(GapFlow, carries_load_and_inertia)
   double                       old_inertia = 0., old_force = 0., n_steps = 0.;
   run.run([&](const SlidingRun &now) {
     const FrictionRow &row = now.state().rows.back();
-    mass->vmult(inertia, now.dynamics()->a);
+    mass->vmult(inertia, now.solid_step().state().a);
     const double new_inertia = lift * inertia;
     const double new_force =
       row.T_y + now.protocol().pressure(row.time) * scene.length;

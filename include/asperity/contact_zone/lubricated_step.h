@@ -3,7 +3,7 @@
 
 #include <asperity/coupling/gap_flow.h>
 #include <asperity/coupling/partitioned_step.h>
-#include <asperity/solid/equilibrium.h>
+#include <asperity/solid/solid_step.h>
 
 #include <functional>
 
@@ -18,15 +18,10 @@ namespace asperity
     using Solve = std::function<ConvergenceReport(Vector &u)>;
 
     /**
-     * @param equilibrium has the oil among its terms, and load and inertia of
-     *   the step
-     * @param force_weight of new forces in the balance, 1 - alpha_f of
-     *   GeneralizedAlpha
+     * @param step of the chip, begun; the oil is among the terms of its balance
+     * @param solve of the step
      */
-    ChipSide(Equilibrium &equilibrium,
-             GapFlow     &oil,
-             const double force_weight,
-             const Solve &solve);
+    ChipSide(SolidStep &step, GapFlow &oil, const Solve &solve);
 
     /** First guess of the next step, with the prescribed values. */
     void
@@ -49,12 +44,10 @@ namespace asperity
     accept() override;
 
   private:
-    Equilibrium &equilibrium;
-    GapFlow     &oil;
-    double       force_weight;
-    Solve        solve_balance;
-    Vector       start, u;
-    bool         is_factorised = false; ///< a tangent of the present step
+    SolidStep &step;
+    GapFlow   &oil;
+    Solve      solve_balance;
+    Vector     start, u;
   };
 
 
@@ -67,9 +60,8 @@ namespace asperity
     using Vector = dealii::Vector<double>;
 
     /** See ChipSide. */
-    LubricatedStep(Equilibrium              &equilibrium,
+    LubricatedStep(SolidStep                &chip_step,
                    GapFlow                  &oil,
-                   const double              force_weight,
                    const ChipSide::Solve    &solve,
                    const CouplingParameters &parameters);
 

@@ -7,7 +7,6 @@
 #include <asperity/contact_zone/load_protocol.h>
 #include <asperity/contact_zone/lubricated_step.h>
 #include <asperity/contact_zone/scene.h>
-#include <asperity/time_integration/generalized_alpha.h>
 
 #include <functional>
 #include <memory>
@@ -79,16 +78,17 @@ namespace asperity
     void
     set_state(const RunState &state);
 
-    /** Velocity and acceleration of a dynamic run; nullptr if quasi-static. */
-    GeneralizedAlpha *
-    dynamics() const;
+    /** The step of the chip, with velocity and acceleration if dynamic. */
+    SolidStep &
+    solid_step();
+
+    /** The step of the chip. */
+    const SolidStep &
+    solid_step() const;
 
     /** Nullptr unless oil fills the gap. */
     LubricatedStep *
     lubricated_step() const;
-
-    /** Forces at the start of the step (dynamic runs; see GeneralizedAlpha). */
-    dealii::Vector<double> old_forces;
 
     const LoadProtocol &
     protocol() const;
@@ -146,9 +146,6 @@ namespace asperity
                    const double                  pressure) const;
 
     void
-    set_inertia(const double dt);
-
-    void
     accept(const dealii::Vector<double> &u, const double dt);
 
     void
@@ -160,14 +157,13 @@ namespace asperity
     const SceneParameters &parameters;
     Scene                 &scene;
     LoadProtocol           protocol_;
+    SolidStep              step;
     RunState               state_;
     NewtonStatistics       statistics;
     unsigned int           cuts                    = 0;
     unsigned int           recorded_factorisations = 0;
 
-    std::unique_ptr<GeneralizedAlpha>             dynamics_;
-    std::unique_ptr<dealii::SparseMatrix<double>> mass;
-    std::unique_ptr<LubricatedStep>               lubricated_step_;
+    std::unique_ptr<LubricatedStep> lubricated_step_;
   };
 } // namespace asperity
 

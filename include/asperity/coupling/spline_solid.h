@@ -3,18 +3,12 @@
 
 #include <asperity/coupling/coupling_sides.h>
 #include <asperity/coupling/interface.h>
-#include <asperity/solid/equilibrium.h>
-#include <asperity/solid/solid_assembler.h>
-#include <asperity/time_integration/generalized_alpha.h>
+#include <asperity/solid/solid_step.h>
 
-#include <memory>
 #include <vector>
 
 namespace asperity
 {
-  class InputArchive;
-  class OutputArchive;
-
   struct SplineSolidOptions
   {
     /** Inertia, by generalized-alpha; otherwise quasi-static. */
@@ -72,43 +66,26 @@ namespace asperity
     const Vector &
     displacement() const;
 
-    /** See set_state(). */
-    struct State
-    {
-      Vector u, v, a, forces;
-
-      void
-      save(OutputArchive &archive) const;
-
-      /** As FluidState::load(). */
-      void
-      load(InputArchive &archive);
-    };
-
-    State
+    /** At the start of the step. */
+    SolidStep::State
     state() const;
 
     /** Continues from the end of an accepted step. */
     void
-    set_state(const State &state);
+    set_state(const SolidStep::State &state);
 
     const NewtonStatistics &
     statistics() const;
 
   private:
-    SolidAssembler                               &solid;
-    const Interface                              &interface;
-    SplineSolidOptions                            options;
-    InterfaceLoad                                 load;
-    Equilibrium                                   equilibrium;
-    GeneralizedAlpha                              motion;
-    std::unique_ptr<dealii::SparseMatrix<double>> mass;
-    Vector                                        u;
-    Vector           old_forces; ///< of all terms at the start of the step
-    double           dt            = 0.;
-    double           factorised_dt = 0.; ///< of the tangent at hand; 0: none
-    double           largest_load;
-    NewtonStatistics statistics_;
+    const Interface   &interface;
+    SplineSolidOptions options;
+    InterfaceLoad      load;
+    Equilibrium        equilibrium;
+    Vector             u;
+    SolidStep          step;
+    double             largest_load;
+    NewtonStatistics   statistics_;
   };
 } // namespace asperity
 
