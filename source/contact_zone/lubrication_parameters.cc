@@ -140,16 +140,18 @@ namespace asperity
                           sealing_gap,
                           "nm",
                           Range::between(0., 1e-4),
-                          "Model `pocket`: where the gap is smaller, the "
-                          "surfaces seal, and the void on each side is a "
-                          "pocket with a pressure of its own; 0: all voids "
-                          "are connected and share one pressure.");
+                          "Models `pocket`, `Stokes` and `Navier-Stokes`: "
+                          "where the gap is smaller, the surfaces seal, and "
+                          "the void on each side is a pocket with a pressure "
+                          "of its own; 0: all voids are connected, with flow "
+                          "by the residual film.");
       parameters.quantity("Residual film",
                           residual_film,
                           "nm",
                           Range::between(1e-11, 1e-6),
                           "Models with flow: the thickness of the film where "
-                          "the surfaces touch.");
+                          "the surfaces touch; of no effect in `Stokes` and "
+                          "`Navier-Stokes` with a sealing gap.");
     }
     oil.declare(parameters);
     mesh.declare(parameters);
@@ -177,6 +179,7 @@ namespace asperity
     options.oil              = oil;
     options.inertia          = model == LubricantModel::navier_stokes;
     options.residual_film    = residual_film;
+    options.sealing_gap      = sealing_gap;
     options.columns_per_span = mesh.columns_per_span;
     options.rows             = mesh.rows;
     options.mesh_update      = flow.mesh_update;

@@ -82,8 +82,10 @@ namespace asperity
     warn_of_melting(run, parameters, warnings);
     warn_of_oil_shear(run, run.period(), parameters, warnings);
     const LubricantModel model = parameters.lubrication.model;
-    if ((model == LubricantModel::reynolds || fills_gap(model)) &&
-        run.friction().contact_fraction > 0.)
+    const bool           has_residual_film =
+      model == LubricantModel::reynolds ||
+      (fills_gap(model) && parameters.lubrication.sealing_gap == 0.);
+    if (has_residual_film && run.friction().contact_fraction > 0.)
       warnings.push_back(
         "Where tool and chip touch, the oil is taken to be " +
         format_quantity(parameters.lubrication.residual_film, "nm") +

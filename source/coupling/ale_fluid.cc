@@ -121,6 +121,11 @@ namespace asperity
         response.force         = interleaved(flow.wall_force(wall));
         response.velocity      = interleaved(flow.wall_velocity(wall));
         response.wall_velocity = interleaved(wall_velocity);
+        // Where the fluid has gone the wall moves without it.
+        const WallNodes &nodes = flow.boundary().nodes(wall);
+        for (unsigned int i = 0; i < response.velocity.size(); ++i)
+          if (flow.space().is_idle(nodes.dof(i / 2, i % 2)))
+            response.velocity(i) = response.wall_velocity(i);
       }
     return report;
   }

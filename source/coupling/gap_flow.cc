@@ -32,11 +32,12 @@ namespace asperity
     {
       // The columns go with the chip, and narrow places pass over all of them.
       ColumnLayout layout;
-      layout.columns       = columns_on_spans(chip.knot_vector(),
+      layout.columns = columns_on_spans(chip.knot_vector(),
                                         options.columns_per_span *
                                           chip.knot_vector().n_spans());
-      layout.rows          = graded_rows(options.rows);
-      layout.residual_film = options.residual_film;
+      layout.rows    = graded_rows(options.rows);
+      layout.residual_film =
+        options.sealing_gap > 0. ? options.sealing_gap : options.residual_film;
       return layout;
     }
 
@@ -85,7 +86,14 @@ namespace asperity
   {
     dealii::Timer timer;
     ++gap.n_solutions;
-    ConvergenceReport report = gap.mesh_.update(gap.chip_curve(), {});
+    ConvergenceReport report;
+    if (gap.pockets_ && gap.pockets_->n_pockets() == 0)
+      {
+        report.reason = "the oil has no room to flow, since the gap is nowhere "
+                        "wider than the sealing gap";
+        return report;
+      }
+    report = gap.mesh_.update(gap.chip_curve(), {});
     if (report.converged)
       {
         gap.set_tool_velocity();
@@ -131,6 +139,15 @@ namespace asperity
     state_.reference_volume = initial_volume;
     state_.smallest_film    = mesh_.film().smallest_gap;
     state_.n_pockets        = 1;
+    if (options.sealing_gap > 0.)
+      {
+        pockets_.emplace(column_voids(), options.sealing_gap);
+        switch_columns();
+        if (pockets_->n_pockets() == 0)
+          throw InputError("The oil has no room to flow, since the gap is "
+                           "nowhere wider than the sealing gap at the start.");
+        state_.n_pockets = pockets_->n_pockets();
+      }
     set_tool_velocity();
   }
 
@@ -305,12 +322,17 @@ namespace asperity
 
 
   void
-  GapFlow::begin_step(const Vector &,
+  GapFlow::begin_step(const Vector &u,
                       const unsigned int,
                       const double,
                       const double)
   {
     n_solutions = 0;
+    if (!pockets_)
+      return;
+    chip = u;
+    mesh_.update(chip_curve(), {});
+    switch_columns();
   }
 
 

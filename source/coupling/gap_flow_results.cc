@@ -20,10 +20,12 @@ namespace asperity
     state_.pressure_force                     = pressure_force;
     state_.shear_force =
       flow_.total_wall_force({ColumnMesh::chip_wall}) - pressure_force;
-    state_.mean_pressure       = -pressure_force[1] / length;
-    state_.max_pressure        = max_pressure;
-    state_.void_volume         = flow_.volume();
-    state_.oil_volume          = state_.void_volume;
+    state_.mean_pressure = -pressure_force[1] / length;
+    state_.max_pressure  = max_pressure;
+    state_.void_volume   = flow_.volume();
+    state_.oil_volume    = state_.void_volume;
+    if (pockets_)
+      account_for_oil();
     state_.smallest_film       = mesh_.film().smallest_gap;
     state_.coupling_iterations = n_solutions;
   }
@@ -94,6 +96,8 @@ namespace asperity
   {
     flow_.state().save(archive);
     archive << force << chip;
+    if (pockets_)
+      pockets_->save(archive);
   }
 
 
@@ -108,6 +112,8 @@ namespace asperity
     flow_.set_state(flow);
     load_.set_force(force);
     mesh_.update(chip_curve(), {});
+    if (pockets_)
+      pockets_->load(archive);
   }
 
 
@@ -143,6 +149,15 @@ namespace asperity
   {
     dealii::DataOut<2> output;
     flow_.attach_to(output);
+    const std::vector<bool> &active = flow_.space().active();
+    Vector                   pocket(active.size());
+    for (unsigned int i = 0; i < active.size(); ++i)
+      if (pockets_ && active[i])
+        pocket(i) = pockets_->pocket(mesh_.column_of_cell(i));
+    output.add_data_vector(pocket, "pocket");
+    output.set_cell_selection([&active](const auto &cell) {
+      return cell->is_active() && active[cell->active_cell_index()];
+    });
     output.build_patches(flow_.mapping(),
                          2,
                          dealii::DataOut<2>::curved_inner_cells);

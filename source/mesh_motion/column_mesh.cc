@@ -186,6 +186,10 @@ namespace asperity
               local[k];
           }
       }
+    column_of_cell_.resize(mesh.n_active_cells());
+    for (const auto &cell : mesh.active_cell_iterators())
+      column_of_cell_[cell->active_cell_index()] =
+        nearest(reference_x, cell->center()[0]) / 2;
     for (unsigned int i = 0; i < reference_x.size(); ++i)
       {
         const auto &below = node_dofs[i * n_rows];
@@ -287,100 +291,16 @@ namespace asperity
         lift_[i]           = columns.gap[i] - true_gap[i];
         film_.largest_lift = std::max(film_.largest_lift, lift_[i]);
       }
+    smallest_gaps_.clear();
     for (unsigned int i = 0; i + 2 < true_gap.size(); i += 2)
       {
+        smallest_gaps_.push_back(
+          std::min({true_gap[i], true_gap[i + 1], true_gap[i + 2]}));
         // Simpson's rule
         const double lifted =
           (lift_[i] > 0.) + 4. * (lift_[i + 1] > 0.) + (lift_[i + 2] > 0.);
         film_.fraction +=
           lifted / 6. * (columns.chip[i + 2][0] - columns.chip[i][0]) / period;
       }
-  }
-
-
-
-  std::vector<Tensor<1, 2>>
-  ColumnMesh::tool_wall_velocity(const Tensor<1, 2> &tool_velocity,
-                                 const Vector       &w) const
-  {
-    const unsigned int n        = tool_wall_nodes.size();
-    const auto         position = [this](const unsigned int i) {
-      const WallNode &node = tool_wall_nodes[i];
-      return Point<2>(reference_x[i] + displacement_(node.dof_x),
-                      reference_y.back() + displacement_(node.dof_y));
-    };
-    std::vector<Tensor<1, 2>> v(n, tool_velocity);
-    for (unsigned int i = 0; i < n; ++i)
-      {
-        // Chord between the neighbours, across the period at its ends.
-        const bool   at_end = i == 0 || i == n - 1;
-        Tensor<1, 2> chord =
-          position(at_end ? 1 : i + 1) - position(at_end ? n - 2 : i - 1);
-        if (at_end)
-          chord[0] += period;
-        const Tensor<1, 2> normal =
-          Point<2>(-chord[1], chord[0]) / chord.norm();
-        const WallNode    &node = tool_wall_nodes[i];
-        const Tensor<1, 2> slip =
-          Point<2>(w(node.dof_x), w(node.dof_y)) - Point<2>(tool_velocity);
-        v[i] += (slip * normal) * normal;
-      }
-    return v;
-  }
-
-
-
-  const dealii::Triangulation<2> &
-  ColumnMesh::triangulation() const
-  {
-    return mesh;
-  }
-
-
-
-  const dealii::DoFHandler<2> &
-  ColumnMesh::dofs() const
-  {
-    return dof_handler;
-  }
-
-
-
-  const ColumnMesh::Vector &
-  ColumnMesh::displacement() const
-  {
-    return displacement_;
-  }
-
-
-
-  const ColumnMesh::Film &
-  ColumnMesh::film() const
-  {
-    return film_;
-  }
-
-
-
-  const std::vector<ColumnMesh::WallNode> &
-  ColumnMesh::chip_nodes() const
-  {
-    return chip_wall_nodes;
-  }
-
-
-
-  const std::vector<ColumnMesh::WallNode> &
-  ColumnMesh::tool_nodes() const
-  {
-    return tool_wall_nodes;
-  }
-
-
-
-  const std::vector<double> &
-  ColumnMesh::lift() const
-  {
-    return lift_;
   }
 } // namespace asperity

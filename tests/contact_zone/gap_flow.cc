@@ -175,6 +175,41 @@ TEST(GapFlow, answers_alike_by_every_choice)
     "equal order");
 }
 
+// Where the surfaces are nearer than the sealing gap the oil is cut. Its amount
+// stays the same to round-off, and the void of the pockets is that of their oil
+// up to what the iterations between chip and oil leave, in every step anew.
+TEST(GapFlow, falls_into_pockets_that_keep_their_oil)
+{
+  SceneParameters parameters         = flooded_scene();
+  parameters.geometry.initial_gap    = 0.002e-6;
+  parameters.lubrication.sealing_gap = 20e-9;
+  Scene        scene(parameters);
+  SlidingRun   run(parameters, scene);
+  const double start = scene.gap_flow->state().oil_volume;
+  EXPECT_LT(scene.gap_flow->flow().volume(), start);
+  run.run([&](const SlidingRun &) {
+    EXPECT_NEAR(scene.gap_flow->state().oil_volume, start, 1e-12 * start);
+    EXPECT_LT(scene.gap_flow->volume_error(), 1e-4);
+    EXPECT_GE(scene.gap_flow->state().n_pockets, 1U);
+  });
+}
+
+TEST(GapFlow, says_that_the_oil_has_no_room)
+{
+  SceneParameters parameters         = flooded_scene();
+  parameters.lubrication.sealing_gap = 5e-6;
+  try
+    {
+      const Scene scene(parameters);
+      FAIL();
+    }
+  catch (const InputError &error)
+    {
+      EXPECT_NE(std::string(error.what()).find("no room to flow"),
+                std::string::npos);
+    }
+}
+
 TEST(GapFlow, refuses_what_it_cannot_represent)
 {
   SceneParameters parameters     = flooded_scene();

@@ -3,6 +3,7 @@
 
 #include <asperity/constitutive/lubricant_parameters.h>
 #include <asperity/coupling/ale_fluid.h>
+#include <asperity/coupling/gap_pockets.h>
 #include <asperity/coupling/interface.h>
 #include <asperity/isogeometric/edge_trace.h>
 #include <asperity/lubricant/lubricant.h>
@@ -10,6 +11,7 @@
 #include <asperity/mesh_motion/elastic_mesh_update.h>
 
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <utility>
 #include <vector>
@@ -35,6 +37,10 @@ namespace asperity
     /** Film that stays where the surfaces touch [m]. */
     double residual_film = 2e-9;
 
+    /** Gap below which columns are switched off, in place of the residual film
+     *  [m]; 0: none is, and the gap is one. */
+    double sealing_gap = 0.;
+
     unsigned int columns_per_span = 1; ///< of the chip's edge
     unsigned int rows             = 2; ///< between chip and tool
 
@@ -55,6 +61,12 @@ namespace asperity
    * tool at rest above it: incompressible Navier-Stokes or Stokes flow, plane,
    * per metre of thickness, on a ColumnMesh. The sides of the period are one,
    * the tool has no slip, the chip's wall is the interface of a coupled step.
+   *
+   * With a sealing gap the oil is that of GapPockets, and each pocket has its
+   * own pressure and conserves its volume. What is open is decided at the start
+   * of a step, by the gap there, so that the iterations of the step see one
+   * smooth problem; a column that closes further within the step keeps the
+   * sealing gap until its end. Where columns are closed, no oil loads the chip.
    *
    * To the chip it is a dead load, the force that the coupled step has found so
    * far. Since the gap is enclosed, Robin's condition at the chip's wall is
@@ -124,6 +136,15 @@ namespace asperity
     void
     load(InputArchive &archive) override;
 
+    /** Of the present step; empty without a sealing gap. */
+    const std::optional<GapPockets> &
+    pockets() const;
+
+    /** Largest difference between oil and void of a pocket, over all oil, at
+     *  the last accepted step. */
+    double
+    volume_error() const;
+
     const NavierStokes &
     flow() const;
 
@@ -172,6 +193,22 @@ namespace asperity
     void
     set_tool_velocity();
 
+    /** Void of each column on the present mesh [m^2]. */
+    std::vector<double>
+    column_voids() const;
+
+    /** Switches the columns by the present gap. */
+    void
+    switch_columns();
+
+    /** The oil at the end of an accepted step. */
+    void
+    account_for_oil();
+
+    /** By the parts of the flow, which are numbered otherwise than pockets. */
+    std::vector<double>
+    oil_of_parts() const;
+
     /** Of the present chip. */
     SplineCurve
     chip_curve() const;
@@ -208,6 +245,9 @@ namespace asperity
     /** Parameter on the chip and unknown of the pressure, from left to right;
      *  the last is the image of the first one. */
     std::vector<std::pair<double, unsigned int>> wall_pressures;
+
+    std::optional<GapPockets> pockets_;
+    double                    volume_error_ = 0.;
 
     double         initial_volume = 0.;
     unsigned int   n_solutions    = 0; ///< in the present step

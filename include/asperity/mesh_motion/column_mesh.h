@@ -124,6 +124,15 @@ namespace asperity
     const std::vector<WallNode> &
     tool_nodes() const;
 
+    /** Gap between chip and tool in each column, the smallest at its three
+     *  nodes, negative if they overlap [m]. */
+    const std::vector<double> &
+    smallest_gaps() const;
+
+    /** The column of a cell, by active_cell_index(), from the left. */
+    unsigned int
+    column_of_cell(const unsigned int cell) const;
+
     /** By how much the node is above the tool [m], zero off the film. */
     const std::vector<double> &
     lift() const;
@@ -178,10 +187,11 @@ namespace asperity
     /** dof_x and dof_y of node (column i, row j), at i * n_rows + j. */
     std::vector<std::pair<unsigned int, unsigned int>> node_dofs;
 
-    std::vector<WallNode> chip_wall_nodes, tool_wall_nodes;
-    Vector                displacement_;
-    Film                  film_;
-    std::vector<double>   lift_;
+    std::vector<WallNode>     chip_wall_nodes, tool_wall_nodes;
+    Vector                    displacement_;
+    Film                      film_;
+    std::vector<double>       lift_, smallest_gaps_;
+    std::vector<unsigned int> column_of_cell_;
   };
 } // namespace asperity
 

@@ -1,0 +1,163 @@
+#include <asperity/base/archive.h>
+#include <asperity/base/errors.h>
+#include <asperity/coupling/gap_pockets.h>
+#include <asperity/flow/navier_stokes.h>
+
+#include <deal.II/grid/grid_generator.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+using namespace asperity;
+
+namespace
+{
+  double
+  sum(const std::vector<double> &values)
+  {
+    return std::accumulate(values.begin(), values.end(), 0.);
+  }
+} // namespace
+
+
+
+TEST(GapPockets, are_runs_of_open_columns_across_the_period)
+{
+  GapPockets pockets(std::vector<double>(8, 1.), 1.);
+  EXPECT_EQ(pockets.n_pockets(), 1U);
+  pockets.open({2., 2., 0.5, 2., 2., 2., 0.9, 2.});
+  EXPECT_EQ(pockets.n_pockets(), 2U);
+  EXPECT_EQ(pockets.pocket(7), pockets.pocket(0));
+  EXPECT_NE(pockets.pocket(1), pockets.pocket(3));
+  // One column alone is too short to flow.
+  pockets.open({2., 2., 0.5, 2., 0.5, 2., 2., 0.5});
+  EXPECT_EQ(pockets.n_pockets(), 2U);
+  EXPECT_FALSE(pockets.is_open()[3]);
+  EXPECT_NEAR(sum(pockets.oil()), 4., 1e-14);
+  EXPECT_NEAR(pockets.sealed_oil(), 4., 1e-14);
+  pockets.open(std::vector<double>(8, 0.5));
+  EXPECT_EQ(pockets.n_pockets(), 0U);
+  EXPECT_NEAR(pockets.sealed_oil(), 8., 1e-14);
+}
+
+// Parting divides by the void at the moment, merging adds, a column that was
+// closed comes back with what it had.
+TEST(GapPockets, part_by_void_and_keep_what_closed)
+{
+  GapPockets pockets({1., 1., 1., 1., 1., 1.}, 1.);
+  pockets.spread({2., 2., 1., 1., 3., 3.});
+  pockets.open({2., 2., 0., 2., 2., 0.});
+  ASSERT_EQ(pockets.n_pockets(), 2U);
+  EXPECT_NEAR(pockets.oil()[0], 6. * 4. / 12., 1e-14);
+  EXPECT_NEAR(pockets.oil()[1], 6. * 4. / 12., 1e-14);
+  EXPECT_NEAR(pockets.sealed_oil(), 6. * 4. / 12., 1e-14);
+  pockets.open({2., 2., 2., 2., 2., 0.});
+  EXPECT_NEAR(pockets.oil()[0], 6. * 9. / 12., 1e-14);
+}
+
+TEST(GapPockets, go_through_an_archive)
+{
+  GapPockets pockets({1., 2., 3., 4., 5.}, 1.);
+  pockets.open({2., 2., 0., 2., 2.});
+  const std::string bytes =
+    to_bytes([&](OutputArchive &archive) { pockets.save(archive); });
+  const auto read = [&bytes](GapPockets &into) {
+    from_bytes(bytes, "pockets", [&into](InputArchive &archive) {
+      into.load(archive);
+    });
+  };
+  GapPockets copy(std::vector<double>(5, 1.), 1.);
+  read(copy);
+  EXPECT_EQ(copy.oil(), pockets.oil());
+  EXPECT_EQ(copy.is_open(), pockets.is_open());
+  GapPockets other(std::vector<double>(4, 1.), 1.);
+  EXPECT_THROW(read(other), InputError);
+}
+
+// Two chambers in a row, a column between them that opens and closes again 100
+// times, while a prescribed motion of the mesh raises the roof of one and
+// lowers that of the other. The floor gives way as Robin's condition says: a
+// pocket whose oil is more than its void by V has, over its floor of length L,
+// the pressure alpha a_0 V/L, a_0 = 1/dt, plus that of the mesh's motion, which
+// is the same for all of it. What the pockets hold is conserved throughout.
+TEST(GapPockets, merge_and_part_a_hundred_times)
+{
+  constexpr unsigned int   n = 45, gate = 20, gate_end = 25;
+  dealii::Triangulation<2> mesh;
+  dealii::GridGenerator::subdivided_hyper_rectangle(
+    mesh, {n, 1U}, dealii::Point<2>(), dealii::Point<2>(4.5, 1.), true);
+  FluidOptions options;
+  options.model.density             = 1e-3;
+  options.model.viscosity.viscosity = 1e-6;
+  options.scheme                    = FluidTimeScheme::implicit_euler;
+  NavierStokes                 flow(mesh, options, {{0, 1, 0}});
+  const BoundaryIds            floor = {2}, roof = {3};
+  const double                 alpha = 100., dt = 0.1;
+  GapPockets                   pockets(std::vector<double>(n, 0.1), 0.5);
+  const dealii::Vector<double> X       = flow.reference_positions();
+  const unsigned int           n_floor = flow.boundary().nodes(floor).size();
+  flow.boundary().set_robin(floor,
+                            std::vector<double>(n_floor, alpha),
+                            NodalVectors(n_floor),
+                            NodalVectors(n_floor));
+  for (unsigned int step = 0; step < 200; ++step)
+    {
+      const bool          is_shut = step % 2 == 0;
+      std::vector<double> gaps(n, 1.);
+      for (unsigned int i = gate; i < gate_end; ++i)
+        gaps[i] = is_shut ? 0. : 1.;
+      // Behind the last column there always is a wall.
+      gaps[n - 1] = 0.;
+      pockets.open(gaps);
+      ASSERT_EQ(pockets.n_pockets(), is_shut ? 2U : 1U);
+      flow.set_active(pockets.is_open());
+      flow.begin_step(dt);
+      // The roof at the end of the step.
+      const double           amplitude = 0.05 * std::sin(0.3 * (step + 1.));
+      dealii::Vector<double> d(X.size());
+      std::vector<dealii::types::global_dof_index> dofs(
+        flow.space().geometry_dofs().get_fe().n_dofs_per_cell());
+      for (const auto &cell :
+           flow.space().geometry_dofs().active_cell_iterators())
+        {
+          const auto &fe = flow.space().geometry_dofs().get_fe();
+          cell->get_dof_indices(dofs);
+          for (unsigned int k = 0; k < dofs.size(); ++k)
+            if (fe.system_to_component_index(k).first == 1)
+              {
+                const unsigned int a = fe.system_to_component_index(k).second;
+                const double x = X(dofs[fe.component_to_system_index(0, a)]);
+                d(dofs[k]) =
+                  X(dofs[k]) * amplitude * std::cos(2. * M_PI * x / 4.5);
+              }
+        }
+      ASSERT_TRUE(flow.set_mesh_displacement(d));
+      flow.boundary().set_wall_velocity(roof, flow.wall_mesh_velocity(roof));
+      flow.set_part_volumes(pockets.oil());
+      const ConvergenceReport report = flow.solve();
+      ASSERT_TRUE(report.converged) << report.reason;
+
+      const std::vector<double> oil   = pockets.oil();
+      const std::vector<double> voids = flow.part_volumes();
+      for (unsigned int k = 0; k < pockets.n_pockets(); ++k)
+        {
+          const unsigned int columns = !is_shut ? 44 : k == 0 ? 20 : 19;
+          const double       length  = 0.1 * columns;
+          const double pressure = alpha * (oil[k] - voids[k]) / (dt * length);
+          const double middle   = k == 0 ? (is_shut ? 1. : 2.2) : 3.5;
+          // Its end cells are held by the inner walls.
+          EXPECT_NEAR(flow.pressure_at({middle, 0.5}),
+                      pressure,
+                      0.03 * std::abs(pressure) + 0.02)
+            << "step " << step;
+        }
+      flow.accept();
+      std::vector<double> areas(n, 0.1);
+      for (unsigned int i = 0; i < n; ++i)
+        areas[i] *= 1. + amplitude * std::cos(2. * M_PI * (i + 0.5) / n);
+      pockets.spread(areas);
+      EXPECT_NEAR(sum(pockets.oil()) + pockets.sealed_oil(), 4.5, 4.5e-12);
+    }
+}
