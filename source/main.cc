@@ -52,7 +52,7 @@ namespace
       {"new SURFACE [-p P] [-v V] [-T T] [--oil W]",
        "write a parameter file for a height map",
        nullptr},
-      {"parameters [--campaign] [--markdown]",
+      {"parameters [--campaign | --fluid-structure] [--markdown]",
        "explain every parameter",
        nullptr},
       {"topography FILE.prm|MAP",

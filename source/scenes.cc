@@ -9,6 +9,7 @@
 #include <asperity/base/text.h>
 #include <asperity/campaign/commands.h>
 #include <asperity/contact_zone/commands.h>
+#include <asperity/fluid_structure/commands.h>
 #include <asperity/topography/commands.h>
 
 #include <deal.II/base/exceptions.h>
@@ -56,31 +57,43 @@ namespace
     if (describes_campaign(file))
       throw InputError(file + " describes a campaign; 'asperity characterize " +
                        file + "' runs it.");
-    return run_scene(file);
+    return describes_fluid_structure(file) ? run_fluid_structure(file) :
+                                             run_scene(file);
   }
 
   int
   check_file(const std::string &file)
   {
-    return describes_campaign(file) ? check_campaign(file) : check_scene(file);
+    if (describes_campaign(file))
+      return check_campaign(file);
+    return describes_fluid_structure(file) ? check_fluid_structure(file) :
+                                             check_scene(file);
   }
 
   int
   print_parameters(const Arguments &arguments)
   {
-    bool markdown = false, campaign = false;
+    bool markdown = false, campaign = false, fluid_structure = false;
     for (std::size_t i = 1; i < arguments.size(); ++i)
       if (arguments[i] == "--markdown")
         markdown = true;
       else if (arguments[i] == "--campaign")
         campaign = true;
+      else if (arguments[i] == "--fluid-structure")
+        fluid_structure = true;
       else
         throw InputError("'asperity parameters' takes no argument but "
-                         "'--campaign' and '--markdown'.");
+                         "'--campaign', '--fluid-structure' and "
+                         "'--markdown'.");
+    if (campaign && fluid_structure)
+      throw InputError("'asperity parameters' takes either '--campaign' or "
+                       "'--fluid-structure'.");
     dealii::ParameterHandler handler;
     ParameterDeclarator      parameters(handler);
     if (campaign)
       declare_campaign_parameters(parameters);
+    else if (fluid_structure)
+      declare_fluid_structure_parameters(parameters);
     else
       declare_all_parameters(parameters);
     if (!is_first_rank())

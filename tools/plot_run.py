@@ -15,6 +15,13 @@ Writes into the output directory (or FOLDER)
                            distance; the averaging window is shaded, with the
                            mean and its spread
 
+or, of a fluid-structure problem,
+
+  fluid_structure.png      speed and pressure of the fluid, stress of the body
+  history.png              displacement, drag, lift, pressure, volume and
+                           iterations over time; --window SECONDS prints mean,
+                           amplitude and frequency of each at the end
+
 Reads chip.pvd, tool.pvd, contact.pvd and their .vtu files, friction.csv, and,
 if there, oil.pvd and summary.json (load; friction.mu, friction.spread, and friction.window:
 the times [s] at which the window starts and ends).
@@ -31,6 +38,7 @@ try:
     import matplotlib.pyplot as plt
     import numpy as np
 
+    from fluid_structure_pictures import TABLE, plot_fluid_structure
     from run_output import (RunError, Vtu, part_at, read_friction, read_summary,
                             steps_of)
 except ImportError as error:
@@ -350,12 +358,18 @@ def main():
     parser.add_argument("directory", help="output directory of a run")
     parser.add_argument("--step", type=int, help="step to draw (the last)")
     parser.add_argument("--to", help="folder for the pictures")
+    parser.add_argument("--window", type=float, metavar="SECONDS",
+                        help="measure the end of a fluid-structure problem")
     arguments = parser.parse_args()
     folder = arguments.to or arguments.directory
     try:
         if not os.path.isdir(arguments.directory):
             raise RunError(f"{arguments.directory} is not a directory.")
         os.makedirs(folder, exist_ok=True)
+        if os.path.exists(os.path.join(arguments.directory, TABLE)):
+            print(*plot_fluid_structure(arguments.directory, arguments.step,
+                                        folder, arguments.window), sep="\n")
+            return 0
         topography = os.path.join(folder, "deformed_topography.png")
         plot_topography(arguments.directory, arguments.step, topography)
         friction = os.path.join(folder, "friction.png")

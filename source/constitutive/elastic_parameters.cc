@@ -42,7 +42,7 @@ namespace asperity
     parameters.quantity("Young's modulus",
                         young_modulus,
                         "GPa",
-                        Range::between(1e6, 2e12),
+                        Range::between(1e3, 2e12),
                         "Young's modulus E at small strain.");
     parameters.number(
       "Poisson's ratio",

@@ -98,7 +98,11 @@ namespace asperity
       "Solver/Maximum iterations",
       "Solver/Maximum cuts",
       "Solver/Linear solver",
-      "Coupling/Maximum iterations"};
+      "Coupling/Maximum iterations",
+      // a fluid-structure problem goes on with other steps
+      "Time/Steps",
+      "Time/Ends",
+      "Time/Maximum cuts"};
     return path.compare(0, 7, "Output/") == 0 ||
            std::find(entries.begin(), entries.end(), path) != entries.end();
   }

@@ -49,19 +49,19 @@ namespace asperity
     if (flow.space().degree() != flow.space().geometry_dofs().get_fe().degree)
       throw InputError("Coupling needs the fluid's velocity and mesh "
                        "displacement to be of the same degree.");
-    match_geometry();
+    geometry_dof = match_geometry(wall);
   }
 
 
 
-  void
-  AleFluid::match_geometry()
+  std::vector<unsigned int>
+  AleFluid::match_geometry(const BoundaryIds &ids) const
   {
-    const WallNodes                     &nodes = flow.boundary().nodes(wall);
+    const WallNodes                     &nodes = flow.boundary().nodes(ids);
     std::map<unsigned int, unsigned int> node_of_dof;
     for (unsigned int n = 0; n < nodes.size(); ++n)
       node_of_dof[nodes.dof(n, 0)] = n;
-    geometry_dof.resize(2 * nodes.size());
+    std::vector<unsigned int> geometry_dof(2 * nodes.size());
 
     const auto &fe          = flow.space().dofs().get_fe();
     const auto &geometry_fe = flow.space().geometry_dofs().get_fe();
@@ -84,6 +84,24 @@ namespace asperity
                 geometry_dofs[geometry_fe.component_to_system_index(i, a)];
           }
       }
+    return geometry_dof;
+  }
+
+
+
+  void
+  AleFluid::add_moving_wall(const BoundaryIds &ids, const Motion &motion)
+  {
+    moving_walls.push_back({ids, motion, match_geometry(ids)});
+    flow.boundary().set_wall_velocity(ids, flow.wall_mesh_velocity(ids));
+  }
+
+
+
+  void
+  AleFluid::set_sliding_walls(const BoundaryIds &ids)
+  {
+    sliding_walls = ids;
   }
 
 
@@ -99,7 +117,11 @@ namespace asperity
   ConvergenceReport
   AleFluid::solve(const WallCondition &condition, WallResponse &response)
   {
-    flow.set_mesh_displacement(mesh_displacement(condition.displacement));
+    flow.set_mesh_displacement(
+      mesh_displacement(condition.displacement, flow.time()));
+    for (const MovingWall &moving : moving_walls)
+      flow.boundary().set_wall_velocity(moving.ids,
+                                        flow.wall_mesh_velocity(moving.ids));
 
     const NodalVectors wall_velocity = flow.wall_mesh_velocity(wall);
     if (std::isfinite(condition.alpha))
@@ -145,7 +167,8 @@ namespace asperity
   {
     for (const auto id :
          flow.space().dofs().get_triangulation().get_boundary_ids())
-      if (wall.count(id) == 0 && flow.space().periodic_ids().count(id) == 0 &&
+      if (wall.count(id) == 0 && sliding_walls.count(id) == 0 &&
+          flow.space().periodic_ids().count(id) == 0 &&
           !flow.boundary().prescribes_velocity(id))
         return false;
     return true;
@@ -239,11 +262,18 @@ namespace asperity
 
 
   Vector
-  AleFluid::mesh_displacement(const Vector &displacement) const
+  AleFluid::mesh_displacement(const Vector &displacement,
+                              const double  time) const
   {
     Vector boundary(flow.space().geometry_dofs().n_dofs());
     for (unsigned int i = 0; i < geometry_dof.size(); ++i)
       boundary(geometry_dof[i]) = displacement(i);
+    for (const MovingWall &moving : moving_walls)
+      {
+        const Tensor<1, 2> d = moving.motion(time);
+        for (unsigned int i = 0; i < moving.geometry_dof.size(); ++i)
+          boundary(moving.geometry_dof[i]) = d[i % 2];
+      }
     return mesh_update(boundary);
   }
 

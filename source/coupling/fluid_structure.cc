@@ -19,12 +19,16 @@ namespace asperity
     constexpr double gap_tolerance = 1e-6;
 
     ElasticMeshOptions
-    mesh_options(const dealii::Triangulation<2> &mesh, const double stiffening)
+    mesh_options(const dealii::Triangulation<2> &mesh,
+                 const FluidWalls               &walls,
+                 const double                    stiffening)
     {
       ElasticMeshOptions options;
       options.stiffening_exponent = stiffening;
+      options.sliding_in_x        = walls.sliding;
       for (const auto id : mesh.get_boundary_ids())
-        options.prescribed.insert(id);
+        if (walls.sliding.count(id) == 0)
+          options.prescribed.insert(id);
       return options;
     }
 
@@ -49,25 +53,35 @@ namespace asperity
 
 
   FluidStructure::FluidStructure(const dealii::Triangulation<2> &mesh,
-                                 const BoundaryIds              &wall,
+                                 const FluidWalls               &walls,
                                  const SplineBody               &body,
                                  const FluidStructureOptions    &options)
     : options(options)
-    , wall(wall)
-    , body(body)
+    , body_(body)
     , flow_(mesh, options.fluid)
     , mesh_update(flow_.space().geometry_dofs(),
                   flow_.space().reference_mapping(),
-                  mesh_options(mesh, options.mesh_stiffening))
+                  mesh_options(mesh, walls, options.mesh_stiffening))
     , fluid_side(flow_,
-                 wall,
+                 walls.wet,
                  [this](const dealii::Vector<double> &displacement) {
                    return mesh_update.update(displacement);
                  })
     , interface(make_interface(fluid_side, body))
     , assembler(body.space, body.geometry, body.law)
   {
-    flow_.set_material_walls(wall);
+    BoundaryIds material = walls.wet;
+    material.insert(walls.moving.begin(), walls.moving.end());
+    flow_.set_material_walls(material);
+    if (!walls.moving.empty())
+      fluid_side.add_moving_wall(walls.moving, walls.motion);
+    fluid_side.set_sliding_walls(walls.sliding);
+    if (!walls.sliding.empty())
+      flow_.boundary().set_velocity(walls.sliding,
+                                    [](const dealii::Point<2> &, const double) {
+                                      return Tensor<1, 2>();
+                                    },
+                                    {{false, true}});
   }
 
 
@@ -84,10 +98,13 @@ namespace asperity
   FluidStructure::start()
   {
     dealii::AffineConstraints<double> constraints;
-    for (const Edge edge : body.clamped)
-      for (const unsigned int a : body.space->edge_functions(edge))
+    for (const Edge edge : body_.clamped)
+      for (const unsigned int a : body_.space->edge_functions(edge))
         for (unsigned int c = 0; c < 2; ++c)
           constraints.add_line(displacement_dof(a, c));
+    for (const Edge edge : body_.held_in_y)
+      for (const unsigned int a : body_.space->edge_functions(edge))
+        constraints.add_line(displacement_dof(a, 1));
     constraints.close();
     solid_side = std::make_unique<SplineSolid>(
       assembler, further_terms, constraints, interface, options.solid);
@@ -114,6 +131,14 @@ namespace asperity
 
 
 
+  const NavierStokes &
+  FluidStructure::flow() const
+  {
+    return flow_;
+  }
+
+
+
   PartitionedStep &
   FluidStructure::coupling()
   {
@@ -131,13 +156,13 @@ namespace asperity
     if (solid_side == nullptr)
       return value;
     const dealii::Vector<double> &u    = solid_side->displacement();
-    const unsigned int            cell = body.space->find_cell(parameter);
+    const unsigned int            cell = body_.space->find_cell(parameter);
     std::vector<double>           N;
-    body.space->evaluate(cell, parameter, N);
+    body_.space->evaluate(cell, parameter, N);
     for (unsigned int a = 0; a < N.size(); ++a)
       for (unsigned int c = 0; c < 2; ++c)
         value[c] +=
-          N[a] * u(displacement_dof(body.space->cell_functions(cell)[a], c));
+          N[a] * u(displacement_dof(body_.space->cell_functions(cell)[a], c));
     return value;
   }
 
@@ -147,6 +172,22 @@ namespace asperity
   FluidStructure::solid() const
   {
     return *solid_side;
+  }
+
+
+
+  const SplineBody &
+  FluidStructure::body() const
+  {
+    return body_;
+  }
+
+
+
+  const SolidAssembler &
+  FluidStructure::body_assembler() const
+  {
+    return assembler;
   }
 
 
@@ -201,7 +242,8 @@ namespace asperity
       }
     dealii::Vector<double> last_motion = old.displacement;
     last_motion -= old.displacement_old;
-    state.displacement     = fluid_side.mesh_displacement(wall_displacement);
+    state.displacement =
+      fluid_side.mesh_displacement(wall_displacement, old.time);
     state.displacement_old = state.displacement;
     state.displacement_old -= mesh_update.update(interpolate_to_mesh(
       old_space.geometry_dofs(), last_motion, flow_.space().geometry_dofs()));

@@ -12,9 +12,11 @@ namespace asperity
   {
     // The names of all that a run writes, but for parameters.prm, which is
     // replaced and may be the file that is being read.
-    const char *const summary     = "summary\\.json";
-    const char *const results     = "friction\\.csv|friction_units\\.csv|"
-                                    "(chip|tool|contact|oil)(\\.pvd|_[0-9]+\\.vtu)";
+    const char *const summary = "summary\\.json";
+    const char *const results =
+      "friction\\.csv|friction_units\\.csv|"
+      "fluid_structure\\.csv|"
+      "(chip|tool|contact|oil|fluid|body)(\\.pvd|_[0-9]+\\.vtu)";
     const char *const checkpoints = "step_[0-9]+\\.checkpoint";
 
     // write_atomically() ends the names of files that it has begun like this.
@@ -55,8 +57,10 @@ namespace asperity
     const std::string found =
       use == FolderUse::run && holds("plan.json") && holds("runs") ?
         "a campaign" :
-      use == FolderUse::campaign && holds("friction.csv") ? "a run" :
-                                                            "";
+      use == FolderUse::campaign &&
+          (holds("friction.csv") || holds("fluid_structure.csv")) ?
+        "a run" :
+        "";
     if (!found.empty())
       throw InputError(where + ": the folder '" + directory +
                        "' holds the results of " + found +

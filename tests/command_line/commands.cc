@@ -11,7 +11,8 @@ TEST_F(Commands, help_lists_every_command)
   for (const std::string command : {"asperity run FILE.prm",
                                     "asperity check FILE.prm",
                                     "asperity new SURFACE",
-                                    "asperity parameters [--campaign]",
+                                    "asperity parameters [--campaign | "
+                                    "--fluid-structure]",
                                     "asperity characterize FILE.prm",
                                     "asperity predict LAW",
                                     "asperity export LAW DIRECTORY",
@@ -70,6 +71,15 @@ TEST_F(Commands, the_reference_of_campaigns_is_the_one_in_the_documentation)
        "doc/campaign_parameters.md";
 }
 
+TEST_F(Commands, the_reference_of_problems_is_the_one_in_the_documentation)
+{
+  std::ifstream file(ASPERITY_SOURCE_DIR "/doc/fluid_structure_parameters.md");
+  const std::string documented{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_EQ(run("parameters --fluid-structure --markdown").output, documented)
+    << "renew it: build/asperity parameters --fluid-structure --markdown > "
+       "doc/fluid_structure_parameters.md";
+}
+
 TEST_F(Commands, an_empty_file_is_said_to_be_the_default_scene)
 {
   write("empty.prm", "# nothing\n");
@@ -123,7 +133,7 @@ TEST_F(Commands, wrong_command_lines_are_refused)
             "'a.prm'.\n");
   EXPECT_EQ(errors("parameters --html"),
             "Error: 'asperity parameters' takes no argument but "
-            "'--campaign' and '--markdown'.\n");
+            "'--campaign', '--fluid-structure' and '--markdown'.\n");
   for (const std::string command : {"", "run ", "check ", "topography "})
     EXPECT_EQ(errors(command + "none.prm"),
               "Error: The parameter file 'none.prm' does not exist or cannot "

@@ -1,41 +1,35 @@
-// Fluid-structure benchmarks that take longer than a test should:
+// Fluid-structure benchmarks that take longer than a test should; the problems
+// are those of parameter_files/fluid_structure:
 //
 //   fsi_benchmarks fsi1 [DEGREE REFINEMENTS WALL_LAYERS CORNER_LAYERS SPANS_X
 //     SPANS_Y]
-//   fsi_benchmarks fsi2|fsi3 MESH STEPS FILE.csv [MESH FILE.csv]
 //   fsi_benchmarks box
 //   fsi_benchmarks pulse
 //   fsi_benchmarks added_mass [DENSITY_RATIO DT]
 //
-// MESH of the flow: DEGREE,REFINEMENTS,WALL_LAYERS,CORNER_LAYERS. STEPS: dt:end
-// time, one after the other, e.g. 0.005:2,0.002:5. A second MESH and FILE: the
-// run to continue from on another mesh.
-//
-// fsi2 and fsi3 write a row a step: time, tip displacement, drag and lift,
-// coupling iterations, and print the mean number of iterations;
-// tools/benchmarks/fsi_charts.py draws and measures them. The others print
-// tables: the flag over meshes, the volume of the inflatable box, the speed of
-// a pulse in a lined channel, and which schemes bear which ratio of densities.
+// prints tables: the flag over meshes, the volume of the inflatable box, the
+// speed of a pulse in a lined channel, and which schemes bear which ratio of
+// densities. The swinging flags, FSI2 and FSI3, are run by their parameter
+// files.
 
 #include <asperity/base/environment.h>
 #include <asperity/base/mpi_session.h>
 
 #include <deal.II/base/timer.h>
 
-#include <coupling/inflatable_box.h>
-#include <coupling/lined_channel.h>
+#include <fluid_structure/problems.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
 #include <string>
 
-#include "swinging_flag.h"
-
 namespace
 {
-  using namespace turek_fsi;
+  using namespace asperity;
+  using dealii::Point;
 
   struct SteadyRow
   {
@@ -50,27 +44,26 @@ namespace
                  "| uy 1e-4 m | drag N/m | lift N/m | iterations | seconds |\n";
     for (const SteadyRow &row : rows)
       {
-        Discretization discretization;
-        discretization.refinements    = row.refinements;
-        discretization.wall_layers    = row.wall_layers;
-        discretization.corner_layers  = row.corner_layers;
-        discretization.fluid_degree   = row.degree;
-        discretization.degree         = 4;
-        discretization.spans_x        = row.spans_x;
-        discretization.spans_y        = row.spans_y;
-        FluidStructureOptions options = default_options(fsi1);
-        options.coupling.tolerance    = 1e-7;
+        FluidStructureParameters parameters = read_problem("fsi1");
+        parameters.fluid.degree             = row.degree;
+        parameters.fluid.refinements        = row.refinements;
+        parameters.fluid.wall_layers        = row.wall_layers;
+        parameters.fluid.corner_layers      = row.corner_layers;
+        parameters.body.degree              = 4;
+        parameters.body.spans_along         = row.spans_x;
+        parameters.body.spans_across        = row.spans_y;
+        parameters.coupling.tolerance       = 1e-7;
         dealii::Timer           timer;
-        TurekFsi                fsi(fsi1, discretization, options);
-        const ConvergenceReport report = fsi.problem->advance(1.);
-        const auto              tip    = fsi.tip();
-        const auto              force  = fsi.drag_and_lift();
+        const auto              problem = make_problem(parameters);
+        NavierStokes           &flow    = problem->system->flow();
+        const ConvergenceReport report  = problem->system->advance(1.);
+        const auto              tip     = problem->displacement();
+        const auto              force = flow.total_wall_force(problem->loaded);
         std::cout << "| Q" << row.degree << "/Q" << row.degree - 1 << " | "
                   << row.refinements << " + " << row.wall_layers << " + "
-                  << row.corner_layers << " | "
-                  << fsi.problem->flow().space().dofs().n_dofs() << " | p = 4, "
-                  << row.spans_x << " x " << row.spans_y << " | "
-                  << std::setprecision(7) << 1e5 * tip[0] << " | "
+                  << row.corner_layers << " | " << flow.space().dofs().n_dofs()
+                  << " | p = 4, " << row.spans_x << " x " << row.spans_y
+                  << " | " << std::setprecision(7) << 1e5 * tip[0] << " | "
                   << 1e4 * tip[1] << " | " << force[0] << " | " << force[1]
                   << " | "
                   << (report.converged ? std::to_string(report.iterations) :
@@ -86,9 +79,10 @@ namespace
   void
   inflate_box(const unsigned int refinements, const double end_time)
   {
-    using inflatable_box::InflatableBox;
-    InflatableBox      box(refinements, 4, InflatableBox::default_options());
-    NavierStokes      &flow = box.problem->flow();
+    FluidStructureParameters parameters = read_problem("inflatable_box");
+    parameters.fluid.refinements        = refinements;
+    const auto         box              = make_problem(parameters);
+    NavierStokes      &flow             = box->system->flow();
     const double       dt = 0.02, start = flow.volume();
     const unsigned int n_steps = std::lround(end_time / dt);
     double             volume = start, inflow = 0., largest_error = 0.;
@@ -97,14 +91,14 @@ namespace
                  "at (-1, 2.2) Pa | iterations a step |\n";
     for (unsigned int i = 1; i <= n_steps; ++i)
       {
-        const ConvergenceReport report = box.problem->advance(dt);
+        const ConvergenceReport report = box->system->advance(dt);
         if (!report.converged)
           {
             std::cout << i * dt << ": " << report.reason << '\n';
             return;
           }
         n_iterations += report.iterations;
-        const double step = dt * InflatableBox::inflow(i * dt);
+        const double step = dt * inflow_of_box(parameters.problem, i * dt);
         inflow += step;
         largest_error =
           std::max(largest_error,
@@ -129,24 +123,22 @@ namespace
   void
   shut_box(const unsigned int refinements, const double end_time)
   {
-    using inflatable_box::InflatableBox;
-    const double shut = 0.5;
+    FluidStructureParameters parameters = read_problem("inflatable_box");
+    parameters.fluid.refinements        = refinements;
+    parameters.problem.inflow_end       = 0.5;
     std::cout << "| dt s | t s | volume m^2 | p at (-1, 2.2) Pa: mean | half "
                  "range | iterations a step |\n";
     for (const double dt : {0.04, 0.02, 0.01})
       {
-        InflatableBox      box(refinements,
-                          4,
-                          InflatableBox::default_options(),
-                          shut);
-        NavierStokes      &flow         = box.problem->flow();
+        const auto         box          = make_problem(parameters);
+        NavierStokes      &flow         = box->system->flow();
         const unsigned int n_steps      = std::lround(end_time / dt);
         const unsigned int per_second   = std::lround(1. / dt);
         unsigned int       n_iterations = 0;
         double             sum = 0., lowest = INFINITY, highest = -INFINITY;
         for (unsigned int i = 1; i <= n_steps; ++i)
           {
-            const ConvergenceReport report = box.problem->advance(dt);
+            const ConvergenceReport report = box->system->advance(dt);
             if (!report.converged)
               {
                 std::cout << i * dt << ": " << report.reason << '\n';
@@ -195,27 +187,29 @@ namespace
   void
   travelling_pulse()
   {
-    const lined_channel::LinedChannel data;
+    FluidStructureParameters parameters = read_problem("lined_channel");
+    // between the watched points, of the lining without its ends
+    const double length = 0.1 * (1. - 2. / parameters.fluid.cells_along);
     std::cout << "| dt s | speed m/s | over sqrt(M h/(rho H)) | iterations a "
                  "step |\n";
     for (const double dt : {2e-4, 1e-4, 5e-5})
       {
-        dealii::Triangulation<2> mesh;
-        const auto               problem = data.problem(mesh, data.options());
-        std::vector<double>      near(1), far(1);
-        const unsigned int       n_steps      = std::lround(0.017 / dt);
-        unsigned int             n_iterations = 0;
+        const auto          problem = make_problem(parameters);
+        FluidStructure     &system  = *problem->system;
+        std::vector<double> near(1), far(1);
+        const unsigned int  n_steps      = std::lround(0.017 / dt);
+        unsigned int        n_iterations = 0;
         for (unsigned int i = 0; i < n_steps; ++i)
           {
-            n_iterations += problem->advance(dt).iterations;
-            near.push_back(problem->displacement({0.25, 0.})[1]);
-            far.push_back(problem->displacement({0.65, 0.})[1]);
+            n_iterations += system.advance(dt).iterations;
+            near.push_back(system.displacement({0.25, 0.})[1]);
+            far.push_back(system.displacement({0.65, 0.})[1]);
           }
-        const double speed = 0.4 * (data.length - 2. * data.end()) /
-                             (time_of_peak(far, dt) - time_of_peak(near, dt));
+        const double speed =
+          0.4 * length / (time_of_peak(far, dt) - time_of_peak(near, dt));
         std::cout << "| " << dt << " | " << std::setprecision(4) << speed
-                  << " | " << speed / data.wave_speed() << " | "
-                  << double(n_iterations) / n_steps << " |\n"
+                  << " | " << speed / wave_speed_of_lined_channel(parameters)
+                  << " | " << double(n_iterations) / n_steps << " |\n"
                   << std::flush;
       }
   }
@@ -224,17 +218,14 @@ namespace
 
   /** Mean iterations of ten steps, or a dash. */
   std::string
-  iterations_of(const lined_channel::LinedChannel &data,
-                const FluidStructureOptions       &options,
-                const double                       dt)
+  iterations_of(const FluidStructureParameters &parameters, const double dt)
   {
-    dealii::Triangulation<2> mesh;
-    const auto               problem      = data.problem(mesh, options);
-    const unsigned int       n_steps      = 10;
-    double                   n_iterations = 0.;
+    const auto         problem      = make_problem(parameters);
+    const unsigned int n_steps      = 10;
+    double             n_iterations = 0.;
     for (unsigned int i = 0; i < n_steps; ++i)
       {
-        const ConvergenceReport report = problem->advance(dt);
+        const ConvergenceReport report = problem->system->advance(dt);
         if (!report.converged)
           return "-";
         n_iterations += report.iterations;
@@ -255,10 +246,12 @@ namespace
     for (const double ratio : ratios)
       for (const double dt : time_steps)
         {
-          lined_channel::LinedChannel data;
-          data.cells         = 20;
-          data.solid_density = ratio * data.fluid_density;
-          data.pulse_time    = 20. * dt;
+          FluidStructureParameters parameters = read_problem("lined_channel");
+          parameters.fluid.cells_along        = 20;
+          parameters.material.elasticity.density =
+            ratio * parameters.fluid.density;
+          parameters.problem.pulse_duration      = 20. * dt;
+          parameters.coupling.maximum_iterations = 60;
           std::cout << "| " << ratio << " | " << dt;
           for (const auto scheme : {CouplingScheme::dirichlet_neumann,
                                     CouplingScheme::robin_neumann})
@@ -266,31 +259,13 @@ namespace
                                     AccelerationKind::aitken,
                                     AccelerationKind::iqn_ils})
               {
-                FluidStructureOptions options       = data.options();
-                options.coupling.scheme             = scheme;
-                options.coupling.acceleration.kind  = kind;
-                options.coupling.maximum_iterations = 60;
-                std::cout << " | " << iterations_of(data, options, dt)
+                parameters.coupling.scheme            = scheme;
+                parameters.coupling.acceleration.kind = kind;
+                std::cout << " | " << iterations_of(parameters, dt)
                           << std::flush;
               }
           std::cout << " |\n";
         }
-  }
-
-
-
-  /** "DEGREE,REFINEMENTS,WALL_LAYERS,CORNER_LAYERS" of the flow. */
-  Discretization
-  discretization(const std::string &mesh)
-  {
-    const auto n = dealii::Utilities::string_to_int(
-      dealii::Utilities::split_string_list(mesh, ','));
-    Discretization discretization;
-    discretization.fluid_degree  = n.at(0);
-    discretization.refinements   = n.at(1);
-    discretization.wall_layers   = n.at(2);
-    discretization.corner_layers = n.at(3);
-    return discretization;
   }
 
 
@@ -338,20 +313,8 @@ namespace
           added_mass({0.1, 1., 10., 100.}, {1e-3, 1e-4, 1e-5, 1e-6});
         return 0;
       }
-    if ((command == "fsi2" || command == "fsi3") &&
-        (arguments.size() == 4 || arguments.size() == 6))
-      {
-        const Case  &data = command == "fsi2" ? fsi2 : fsi3;
-        SwingingFlag flag(data, discretization(arguments[1]), arguments[3]);
-        if (arguments.size() == 6)
-          flag.continue_from(
-            SwingingFlag(data, discretization(arguments[4]), arguments[5]));
-        return flag.run(StepPlan(arguments[2]));
-      }
     std::cerr
-      << "usage: fsi_benchmarks fsi1 [...]|box|pulse|added_mass [...], or\n"
-         "       fsi_benchmarks fsi2|fsi3 MESH STEPS FILE.csv [MESH "
-         "FILE.csv]\n";
+      << "usage: fsi_benchmarks fsi1 [...]|box|pulse|added_mass [...]\n";
     return 2;
   }
 } // namespace

@@ -36,6 +36,19 @@ namespace asperity
              const BoundaryIds &wall,
              const MeshUpdate  &mesh_update);
 
+    /** Rigid motion over time [m]. */
+    using Motion = std::function<dealii::Tensor<1, 2>(const double)>;
+
+    /** A further wall, which moves without turning and takes the fluid along,
+     *  before the first step. */
+    void
+    add_moving_wall(const BoundaryIds &ids, const Motion &motion);
+
+    /** Boundaries that the fluid does not cross although it may slide along
+     *  them: the caller prescribes the velocity normal to them. */
+    void
+    set_sliding_walls(const BoundaryIds &ids);
+
     void
     begin_step(const double dt) override;
 
@@ -58,17 +71,27 @@ namespace asperity
     uniform_loads() const override;
 
     /** Displacement of the whole mesh, by geometry_dofs() of the flow's space,
-     *  for one of the interface [m]. */
+     *  for one of the interface [m], with moving walls where they are at this
+     *  time [s]. */
     Vector
-    mesh_displacement(const Vector &displacement) const;
+    mesh_displacement(const Vector &displacement, const double time) const;
 
     /** Reference positions of the nodes of the interface [m]. */
     std::vector<dealii::Point<2>>
     positions() const;
 
   private:
-    void
-    match_geometry();
+    struct MovingWall
+    {
+      BoundaryIds               ids;
+      Motion                    motion;
+      std::vector<unsigned int> geometry_dof;
+    };
+
+    /** The unknowns of the geometry space at the nodes of a wall, by their
+     *  components. */
+    std::vector<unsigned int>
+    match_geometry(const BoundaryIds &ids) const;
 
     /** The integrals over the wall of each node's function, and of it times
      *  the outward normal, on the present mesh. */
@@ -79,9 +102,9 @@ namespace asperity
     BoundaryIds   wall;
     MeshUpdate    mesh_update;
 
-    /** Of the geometry space, by components of the interface. */
-    std::vector<unsigned int> geometry_dof;
-    double                    rate = 0.;
+    std::vector<unsigned int> geometry_dof; ///< of the interface
+    std::vector<MovingWall>   moving_walls;
+    BoundaryIds               sliding_walls;
   };
 } // namespace asperity
 

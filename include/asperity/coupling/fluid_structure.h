@@ -29,16 +29,31 @@ namespace asperity
     PatchGeometry                      geometry;
     std::shared_ptr<const MaterialLaw> law;
 
-    std::vector<Edge> clamped; ///< edges that do not move
-    std::vector<Edge> wet;     ///< edges that the fluid touches
+    std::vector<Edge> clamped;   ///< edges that do not move
+    std::vector<Edge> held_in_y; ///< edges that move along x only
+    std::vector<Edge> wet;       ///< edges that the fluid touches
+  };
+
+  /** The boundaries of the flow that are more than a condition for it. */
+  struct FluidWalls
+  {
+    BoundaryIds wet; ///< on the body's wet edges
+
+    /** Rigid walls and how they move over time, from rest [m]. */
+    BoundaryIds      moving;
+    AleFluid::Motion motion;
+
+    /** Straight walls along x that the fluid slides along: v_y = 0. */
+    BoundaryIds sliding;
   };
 
 
 
   /**
    * A plane flow and an elastic spline body in it, from rest: the flow on a
-   * mesh that follows the body by the elastic mesh update, all other boundaries
-   * of the mesh held, and the two coupled by PartitionedStep.
+   * mesh that follows body and moving walls by the elastic mesh update, all
+   * other boundaries of the mesh held (nodes of the sliding ones find their x),
+   * and the two coupled by PartitionedStep.
    *
    * Boundary conditions of the flow besides those of the wall are set through
    * flow() before the first step.
@@ -48,12 +63,10 @@ namespace asperity
   public:
     /**
      * @param mesh of the fluid, must outlive this object and not change
-     * @param wall its boundaries on the body's wet edges
-     * @throws InputError if mesh and body do not touch, or the coupling scheme
-     *   is impossible
+     * @throws InputError if mesh and body do not touch
      */
     FluidStructure(const dealii::Triangulation<2> &mesh,
-                   const BoundaryIds              &wall,
+                   const FluidWalls               &walls,
                    const SplineBody               &body,
                    const FluidStructureOptions    &options);
 
@@ -68,6 +81,11 @@ namespace asperity
     NavierStokes &
     flow();
 
+    const NavierStokes &
+    flow() const;
+
+    /** @throws InputError at the first call if the coupling scheme cannot work
+     *  with the boundary conditions of the flow */
     PartitionedStep &
     coupling();
 
@@ -77,6 +95,13 @@ namespace asperity
 
     const SplineSolid &
     solid() const;
+
+    const SplineBody &
+    body() const;
+
+    /** With the stresses of the body. */
+    const SolidAssembler &
+    body_assembler() const;
 
     /** The last accepted step with all that the next ones depend on: a run
      *  continued from them repeats the one that it comes from. (Kept tangents
@@ -102,8 +127,7 @@ namespace asperity
     start();
 
     FluidStructureOptions            options;
-    BoundaryIds                      wall;
-    SplineBody                       body;
+    SplineBody                       body_;
     NavierStokes                     flow_;
     ElasticMeshUpdate                mesh_update;
     AleFluid                         fluid_side;

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "lined_channel.h"
+#include "problems.h"
 
-using namespace lined_channel;
+using namespace asperity;
 
 namespace
 {
@@ -14,24 +14,27 @@ namespace
   {
     explicit ChannelRun(const unsigned int degree = 2,
                         const unsigned int cells  = 10)
+      : problem(make_problem(read_problem(
+          "lined_channel",
+          "subsection Fluid\n set Degree = " + std::to_string(degree) +
+            "\n set Cells along = " + std::to_string(cells) + "\nend\n")))
+    {}
+
+    FluidStructure &
+    system()
     {
-      LinedChannel data;
-      data.cells                    = cells;
-      FluidStructureOptions options = data.options();
-      options.fluid.degree = options.fluid.geometry_degree = degree;
-      problem = data.problem(mesh, options);
+      return *problem->system;
     }
 
-    Tensor<1, 2>
+    dealii::Tensor<1, 2>
     advance(const unsigned int n_steps)
     {
       for (unsigned int i = 0; i < n_steps; ++i)
-        EXPECT_TRUE(problem->advance(1e-3).converged);
-      return problem->displacement({0.25, 0.});
+        EXPECT_TRUE(system().advance(1e-3).converged);
+      return problem->displacement();
     }
 
-    dealii::Triangulation<2>        mesh;
-    std::unique_ptr<FluidStructure> problem;
+    std::unique_ptr<FluidStructureProblem> problem;
   };
 
   std::string
@@ -69,7 +72,7 @@ TEST(FluidStructure, a_run_that_is_continued_repeats_the_other)
 {
   ChannelRun whole, rest;
   whole.advance(4);
-  load(*rest.problem, state_of(*whole.problem));
+  load(rest.system(), state_of(whole.system()));
   EXPECT_EQ(whole.advance(4), rest.advance(4));
 }
 
@@ -79,10 +82,10 @@ TEST(FluidStructure, refuses_a_checkpoint_of_another_run)
 {
   ChannelRun whole, coarse(2, 8);
   whole.advance(1);
-  const std::string state = state_of(*whole.problem);
-  EXPECT_NE(message_of(*coarse.problem, state).find("unknowns of a"),
+  const std::string state = state_of(whole.system());
+  EXPECT_NE(message_of(coarse.system(), state).find("unknowns of a"),
             std::string::npos);
-  EXPECT_EQ(message_of(*whole.problem, state.substr(0, state.size() / 2)),
+  EXPECT_EQ(message_of(whole.system(), state.substr(0, state.size() / 2)),
             "The checkpoint is damaged: it does not hold what is expected of "
             "it.");
 }
@@ -96,11 +99,10 @@ TEST(FluidStructure, continues_on_another_mesh)
   // the first step is disturbed, see interpolate_to_mesh().
   ChannelRun coarse(2), fine(3);
   coarse.advance(4);
-  fine.problem->continue_from(*coarse.problem);
-  EXPECT_EQ(fine.problem->flow().time(), coarse.problem->flow().time());
-  EXPECT_EQ(fine.problem->displacement({0.25, 0.}),
-            coarse.problem->displacement({0.25, 0.}));
-  const Tensor<1, 2> d = coarse.advance(2), d_fine = fine.advance(2);
+  fine.system().continue_from(coarse.system());
+  EXPECT_EQ(fine.system().flow().time(), coarse.system().flow().time());
+  EXPECT_EQ(fine.problem->displacement(), coarse.problem->displacement());
+  const dealii::Tensor<1, 2> d = coarse.advance(2), d_fine = fine.advance(2);
   EXPECT_LT((d - d_fine).norm(), 0.05 * d.norm());
 }
 
@@ -112,7 +114,7 @@ TEST(FluidStructure, refuses_to_continue_from_another_body)
   a.advance(1);
   try
     {
-      b.problem->continue_from(*a.problem);
+      b.system().continue_from(a.system());
       FAIL();
     }
   catch (const InputError &error)

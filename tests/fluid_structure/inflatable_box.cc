@@ -1,25 +1,32 @@
-#include "inflatable_box.h"
-
 #include <asperity/base/errors.h>
 
 #include <gtest/gtest.h>
 
-using namespace inflatable_box;
+#include <array>
+#include <cmath>
+
+#include "problems.h"
+
+using namespace asperity;
 
 TEST(InflatableBox, keeps_the_volume_that_flows_in)
 {
-  InflatableBox box(1, 2, InflatableBox::default_options());
-  NavierStokes &flow   = box.problem->flow();
-  const double  dt     = 0.02;
-  double        volume = flow.volume();
+  const FluidStructureParameters parameters =
+    read_problem("inflatable_box",
+                 "subsection Fluid\n set Refinements = 1\nend\n"
+                 "subsection Body\n set Spans along = 2\nend\n");
+  const auto    problem = make_problem(parameters);
+  NavierStokes &flow    = problem->system->flow();
+  const double  dt      = 0.02;
+  double        volume  = flow.volume();
   EXPECT_NEAR(volume, 10.5, 1e-9);
   for (unsigned int i = 1; i <= 10; ++i)
     {
-      const ConvergenceReport report = box.problem->advance(dt);
+      const ConvergenceReport report = problem->system->advance(dt);
       ASSERT_TRUE(report.converged) << report.reason;
       EXPECT_LE(report.iterations, 8u) << "step " << i;
       // Implicit Euler: the inflow at the end of the step.
-      const double inflow = dt * InflatableBox::inflow(i * dt);
+      const double inflow = dt * inflow_of_box(parameters.problem, i * dt);
       EXPECT_NEAR((flow.volume() - volume) / inflow, 1., 1e-6) << "step " << i;
       volume = flow.volume();
     }
@@ -33,15 +40,20 @@ TEST(InflatableBox, keeps_the_volume_that_flows_in)
 // steps and the dissipation of the time integration calm the walls.
 TEST(InflatableBox, keeps_its_pressure_when_shut)
 {
+  const FluidStructureParameters parameters =
+    read_problem("inflatable_box",
+                 "subsection Problem\n subsection Inflow\n  set End = 0.2 s\n"
+                 " end\nend\n"
+                 "subsection Fluid\n set Refinements = 0\n set Viscosity = "
+                 "48.18 Pa s\nend\n"
+                 "subsection Body\n set Spans along = 1\n set Spectral radius "
+                 "= 0\nend\n");
   std::array<double, 2> stiffness;
   for (const unsigned int k : {0, 1})
     {
-      const double          dt = k == 0 ? 0.1 : 0.05, shut = 0.2;
-      FluidStructureOptions options = InflatableBox::default_options();
-      options.fluid.model.viscosity.viscosity *= 300.;
-      options.solid.spectral_radius = 0.;
-      InflatableBox box(0, 1, options, shut);
-      NavierStokes &flow     = box.problem->flow();
+      const double  dt       = k == 0 ? 0.1 : 0.05;
+      const auto    problem  = make_problem(parameters);
+      NavierStokes &flow     = problem->system->flow();
       const auto    pressure = [&flow] {
         return flow.pressure_at({-1., 2.2 - 1e-9});
       };
@@ -50,7 +62,7 @@ TEST(InflatableBox, keeps_its_pressure_when_shut)
       double             earlier = 0.;
       for (unsigned int i = 1; i <= n_steps; ++i)
         {
-          ASSERT_TRUE(box.problem->advance(dt).converged);
+          ASSERT_TRUE(problem->system->advance(dt).converged);
           if (i == n_steps / 2)
             earlier = pressure();
         }
@@ -64,8 +76,9 @@ TEST(InflatableBox, keeps_its_pressure_when_shut)
 
 TEST(InflatableBox, refuses_dirichlet_neumann)
 {
-  FluidStructureOptions options = InflatableBox::default_options();
-  options.coupling.scheme       = CouplingScheme::dirichlet_neumann;
-  InflatableBox box(0, 1, options);
-  EXPECT_THROW(box.problem->advance(0.02), InputError);
+  EXPECT_THROW(
+    make_problem(read_problem(
+      "inflatable_box",
+      "subsection Coupling\n set Scheme = Dirichlet-Neumann\nend\n")),
+    InputError);
 }
