@@ -95,16 +95,6 @@ namespace asperity
   }
 
   void
-  ProgressLine::update_step(const unsigned int step,
-                            const unsigned int n_steps,
-                            const std::string &text)
-  {
-    update(n_steps == 0 ? 1. : static_cast<double>(step) / n_steps,
-           "step " + std::to_string(step) + "/" + std::to_string(n_steps) +
-             "  " + text);
-  }
-
-  void
   ProgressLine::note(const std::string &text)
   {
     if (mode == Mode::silent)

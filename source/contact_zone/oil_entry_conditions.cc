@@ -77,11 +77,16 @@ namespace asperity
                "the Oil amount film thickness",
                by_film},
               {{"Lubrication/Sealing gap"},
-               "the lubricant model pocket",
+               "the lubricant models pocket, Stokes and Navier-Stokes",
                [](const SceneParameters &p) {
-                 return is_one_of(p, {LubricantModel::pocket});
+                 return is_one_of(p, {LubricantModel::pocket}) || fills(p);
                }},
-              {{"Lubrication/Residual film"}, viscous, shears}};
+              {{"Lubrication/Residual film"}, viscous, shears},
+              {{"Lubrication/Residual film"},
+               "a Sealing gap of 0 in the models Stokes and Navier-Stokes",
+               [](const SceneParameters &p) {
+                 return !fills(p) || p.lubrication.sealing_gap == 0.;
+               }}};
     }
 
     EntryConditions

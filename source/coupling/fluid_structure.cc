@@ -87,14 +87,6 @@ namespace asperity
 
 
   void
-  FluidStructure::add_term(ForceTerm &term)
-  {
-    further_terms.push_back(&term);
-  }
-
-
-
-  void
   FluidStructure::start()
   {
     dealii::AffineConstraints<double> constraints;
@@ -106,9 +98,11 @@ namespace asperity
       for (const unsigned int a : body_.space->edge_functions(edge))
         constraints.add_line(displacement_dof(a, 1));
     constraints.close();
-    solid_side = std::make_unique<SplineSolid>(
-      assembler, further_terms, constraints, interface, options.solid);
-    step = std::make_unique<PartitionedStep>(*solid_side,
+    solid_side = std::make_unique<SplineSolid>(assembler,
+                                               constraints,
+                                               interface,
+                                               options.solid);
+    step       = std::make_unique<PartitionedStep>(*solid_side,
                                              fluid_side,
                                              options.coupling);
   }

@@ -6,23 +6,7 @@ namespace asperity
 {
   using Vector = dealii::Vector<double>;
 
-  namespace
-  {
-    std::vector<ForceTerm *>
-    all_terms(SolidAssembler                 &solid,
-              InterfaceLoad                  &load,
-              const std::vector<ForceTerm *> &further)
-    {
-      std::vector<ForceTerm *> terms{&solid, &load};
-      terms.insert(terms.end(), further.begin(), further.end());
-      return terms;
-    }
-  } // namespace
-
-
-
-  SplineSolid::SplineSolid(SolidAssembler                 &solid,
-                           const std::vector<ForceTerm *> &further_terms,
+  SplineSolid::SplineSolid(SolidAssembler                          &solid,
                            const dealii::AffineConstraints<double> &constraints,
                            const Interface                         &interface,
                            const SplineSolidOptions                &options)
@@ -30,7 +14,7 @@ namespace asperity
     , options(options)
     , load(interface)
     , equilibrium(2 * solid.space().n_functions(),
-                  all_terms(solid, load, further_terms),
+                  {&solid, &load},
                   constraints,
                   options.solver)
     , u(2 * solid.space().n_functions())
@@ -53,6 +37,7 @@ namespace asperity
     step.forget_tangent();
     u = step.state().u;
   }
+
 
 
   ConvergenceReport

@@ -49,14 +49,6 @@ namespace asperity
     void
     update(const double fraction, const std::string &text);
 
-    /**
-     * The same by step numbers: "step k/n  text".
-     */
-    void
-    update_step(const unsigned int step,
-                const unsigned int n_steps,
-                const std::string &text);
-
     /** A line of its own that stays, e.g. that a step was cut. */
     void
     note(const std::string &text);

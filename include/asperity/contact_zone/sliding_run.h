@@ -1,7 +1,6 @@
 #ifndef asperity_contact_zone_sliding_run_h
 #define asperity_contact_zone_sliding_run_h
 
-#include <asperity/base/statistics.h>
 #include <asperity/contact_zone/friction_judgement.h>
 #include <asperity/contact_zone/friction_result.h>
 #include <asperity/contact_zone/load_protocol.h>

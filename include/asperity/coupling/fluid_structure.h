@@ -70,10 +70,6 @@ namespace asperity
                    const SplineBody               &body,
                    const FluidStructureOptions    &options);
 
-    /** A further load or support of the body, before the first step. */
-    void
-    add_term(ForceTerm &term);
-
     /** One coupled step; see PartitionedStep::advance(). */
     ConvergenceReport
     advance(const double dt);
@@ -133,7 +129,6 @@ namespace asperity
     AleFluid                         fluid_side;
     Interface                        interface;
     SolidAssembler                   assembler;
-    std::vector<ForceTerm *>         further_terms;
     std::unique_ptr<SplineSolid>     solid_side;
     std::unique_ptr<PartitionedStep> step;
   };

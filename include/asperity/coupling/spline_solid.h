@@ -31,21 +31,19 @@ namespace asperity
 
 
   /**
-   * The isogeometric solid as one side of a coupled step: its internal force,
-   * further terms (contact, loads) and the fluid's force on the interface, in
-   * balance with its inertia, from rest.
+   * The isogeometric solid as one side of a coupled step: its internal force
+   * and the fluid's force on the interface, in balance with its inertia, from
+   * rest.
    */
   class SplineSolid : public SolidSide
   {
   public:
     /**
      * The arguments must outlive this object.
-     * @param further_terms besides the internal force
      * @param constraints of components of u that keep their value, see
      * Equilibrium
      */
     SplineSolid(SolidAssembler                          &solid,
-                const std::vector<ForceTerm *>          &further_terms,
                 const dealii::AffineConstraints<double> &constraints,
                 const Interface                         &interface,
                 const SplineSolidOptions                &options = {});

@@ -1,5 +1,4 @@
 #include <asperity/base/progress.h>
-#include <asperity/base/statistics.h>
 #include <asperity/base/text.h>
 #include <asperity/base/version.h>
 
@@ -17,12 +16,12 @@ TEST(Progress, a_log_stays_short_and_always_has_the_last_step)
   {
     ProgressLine progress(out, ProgressLine::Mode::log);
     for (unsigned int step = 1; step <= 1000; ++step)
-      progress.update_step(step, 1000, "mu = 0.21");
+      progress.update(step / 1000., "mu = 0.21 at " + std::to_string(step));
   }
   const std::string text = out.str();
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2) << text;
-  EXPECT_EQ(text.find("step 1/1000  mu = 0.21  ("), 0u) << text;
-  EXPECT_NE(text.find("\nstep 1000/1000  mu = 0.21  ("), std::string::npos);
+  EXPECT_EQ(text.find("mu = 0.21 at 1  ("), 0u) << text;
+  EXPECT_NE(text.find("\nmu = 0.21 at 1000  ("), std::string::npos);
   EXPECT_EQ(text.find('\r'), std::string::npos);
 }
 
@@ -58,34 +57,6 @@ TEST(Progress, durations_are_written_for_people)
   EXPECT_EQ(format_duration(9.96), "10 s");
   EXPECT_EQ(format_duration(200.4), "3 min 20 s");
   EXPECT_EQ(format_duration(7500), "2 h 5 min");
-}
-
-TEST(Statistics, times_and_counts_add_up_in_order_of_first_use)
-{
-  Statistics statistics;
-  statistics.add_seconds("solve", 1.5);
-  {
-    const auto timing = statistics.time("assemble");
-  }
-  statistics.add_seconds("solve", 0.5);
-  statistics.count("Newton iterations", 4);
-  statistics.count("Newton iterations");
-
-  EXPECT_EQ(statistics.seconds("solve"), 2.);
-  EXPECT_GE(statistics.seconds("assemble"), 0.);
-  EXPECT_EQ(statistics.seconds("output"), 0.);
-  EXPECT_EQ(statistics.count_of("Newton iterations"), 5u);
-  EXPECT_EQ(statistics.count_of("factorisations"), 0u);
-
-  const nlohmann::ordered_json json = statistics.to_json();
-  EXPECT_EQ(json["seconds"]["solve"], 2.);
-  EXPECT_EQ(json["calls"]["solve"], 2);
-  EXPECT_EQ(json["calls"]["assemble"], 1);
-  EXPECT_EQ(json["counts"]["Newton iterations"], 5);
-  EXPECT_EQ(json["seconds"].begin().key(), "solve");
-  EXPECT_NE(statistics.table(4.).find("   50 %        2 x\n"),
-            std::string::npos)
-    << statistics.table(4.);
 }
 
 TEST(Text, edit_distance_counts_elementary_edits)
