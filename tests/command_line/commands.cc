@@ -94,12 +94,13 @@ TEST_F(Commands, an_empty_file_is_said_to_be_the_default_scene)
 TEST_F(Commands, check_says_which_entries_the_models_do_not_read)
 {
   write("stokes.prm",
-        "subsection Lubrication\n set Model = Stokes\n set Sealing gap = 5 nm\n"
+        "subsection Lubrication\n set Model = Stokes\n set Oil film = 5 nm\n"
         "end\nsubsection Lubricant\n set Density law = Murnaghan\n"
         " set Viscosity = 0.03 Pa s\nend\n");
   const std::string output = run("check stokes.prm").output;
-  EXPECT_NE(output.find("Not used here: Lubrication/Sealing gap (only with the "
-                        "lubricant model pocket).\n"),
+  EXPECT_NE(output.find(
+              "Not used here: Lubrication/Oil film (only with the Oil "
+              "amount film thickness).\n"),
             std::string::npos)
     << output;
   EXPECT_NE(output.find("Not used here: Lubricant/Density law (only with the "

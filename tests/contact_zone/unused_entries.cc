@@ -173,7 +173,12 @@ TEST(UnusedEntries, of_each_model_are_those_that_it_does_not_read)
   };
   const EntryValues stokes = {{"Lubrication/Model", "Stokes"}};
   EXPECT_TRUE(is_unused(stokes, "Lubricant/Density law"));
-  EXPECT_TRUE(is_unused(stokes, "Lubrication/Sealing gap"));
+  EXPECT_FALSE(is_unused(stokes, "Lubrication/Sealing gap"));
+  EXPECT_FALSE(is_unused(stokes, "Lubrication/Residual film"));
+  EXPECT_TRUE(is_unused({{"Lubrication/Model", "Stokes"},
+                         {"Lubrication/Sealing gap", "20 nm"}},
+                        "Lubrication/Residual film"));
+  EXPECT_TRUE(is_unused(dry, "Lubrication/Sealing gap"));
   EXPECT_FALSE(is_unused(stokes, "Lubricant/Viscosity"));
   EXPECT_FALSE(is_unused(stokes, "Film mesh/Rows"));
   EXPECT_TRUE(is_unused(pocket, "Lubricant/Viscosity"));
