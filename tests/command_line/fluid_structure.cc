@@ -115,7 +115,7 @@ TEST_F(FluidStructure, continues_on_another_mesh)
     << result.output;
   EXPECT_NE(refusal(fine("nowhere"))
               .find("entry 'Problem/Continue from': The parameter file "
-                    "nowhere/parameters.prm"),
+                    "'nowhere/parameters.prm'"),
             std::string::npos);
 }
 

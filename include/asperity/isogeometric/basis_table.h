@@ -79,7 +79,7 @@ namespace asperity
   };
 
   /** Table for integrals over the cells with a quadrature on the unit square.
-   *  Throws ComputationError if the geometry folds at a point (det J <= 0). */
+   *  @throws ComputationError if the geometry folds at a point (det J <= 0). */
   BasisTable
   tabulate_cells(const SplineSpace           &space,
                  const PatchGeometry         &geometry,

@@ -34,7 +34,8 @@ namespace asperity
   class SplineSpace
   {
   public:
-    /** Level-0 knot vectors; both have the same degree; x may be periodic. */
+    /** Level-0 knot vectors; both have the same degree; x may be periodic.
+     *  @throws InputError if they are not so */
     SplineSpace(const KnotVector &knots_x, const KnotVector &knots_y);
 
     unsigned int

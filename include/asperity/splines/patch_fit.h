@@ -21,6 +21,7 @@ namespace asperity
    * 9.2.5). Weights, bending and fixed ends are not supported here.
    * @param points [m], xi fastest
    * @param parameters of the grid lines in xi and eta
+   * @throws InputError if their grid has another number of points
    */
   PatchFit
   fit_patch(const std::array<KnotVector, 2>           &knot_vectors,

@@ -41,7 +41,7 @@ namespace asperity
    * Knot insertion (Piegl and Tiller, section 5.2).
    * @param new_knots in (front, back), in any order; each repetition raises the
    *   multiplicity. Into a periodic basis only new simple knots can be
-   * inserted. Throws InputError if a knot lies outside or its multiplicity
+   * inserted. @throws InputError if a knot lies outside or its multiplicity
    * would exceed the degree (periodic: one).
    */
   BasisTransfer
@@ -49,7 +49,7 @@ namespace asperity
                  const std::vector<double> &new_knots);
 
   /** Degree elevation by one (Piegl and Tiller, section 5.5), by blossoms.
-   *  Throws InputError for a periodic basis; clamp it first. */
+   *  @throws InputError for a periodic basis; clamp it first. */
   BasisTransfer
   degree_elevation(const KnotVector &knot_vector);
 

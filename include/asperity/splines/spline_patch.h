@@ -26,7 +26,7 @@ namespace asperity
      * @param control_points [m], n_basis(xi) * n_basis(eta) of them
      * @param weights as many and positive, or none (B-spline)
      * @param periods [m], zero in open directions
-     * Throws InputError if the numbers do not agree or a weight is not
+     * @throws InputError if the numbers do not agree or a weight is not
      * positive.
      */
     SplinePatch(const std::array<KnotVector, 2>           &knot_vectors,
@@ -63,7 +63,8 @@ namespace asperity
     derivatives(const double xi, const double eta, const unsigned int n) const;
 
     /** The curve eta = front or back (direction 1), xi = front or back
-     *  (direction 0) of an open direction. */
+     *  (direction 0) of an open direction.
+     *  @throws InputError if the direction is periodic */
     SplineCurve
     edge(const unsigned int direction, const bool at_back) const;
 
@@ -73,7 +74,8 @@ namespace asperity
     control_row(const unsigned int direction,
                 const unsigned int function) const;
 
-    /** A patch of which control_row(direction, j) are the given curves. */
+    /** A patch of which control_row(direction, j) are the given curves.
+     *  @throws InputError if there are not as many as functions */
     static SplinePatch
     from_control_rows(const unsigned int              direction,
                       const KnotVector               &knot_vector,

@@ -18,7 +18,8 @@ namespace asperity
   class GeneralizedAlpha
   {
   public:
-    /** @param rho_infinity in [0, 1]; 1 conserves energy in the linear case */
+    /** @param rho_infinity in [0, 1]; 1 conserves energy in the linear case
+     *  @throws InputError if it is outside */
     explicit GeneralizedAlpha(const double rho_infinity);
 
     /** Displacement, velocity, acceleration at the start of the step. */
