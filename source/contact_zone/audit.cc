@@ -260,6 +260,24 @@ namespace asperity
      *  (J. G. Speight, The Chemistry and Technology of Petroleum, 2014) [K]. */
     constexpr double cracking = 623.15;
 
+    /** @param amount what is to be said of how much oil there is, or empty
+     *  @param T of the oil [K] */
+    void
+    warn_of_oil(const std::string         &amount,
+                const LubricantParameters &oil,
+                const double               T,
+                SceneAudit                &audit)
+    {
+      if (!amount.empty())
+        audit.warnings.push_back(amount);
+      if (oil.temperature.law != TemperatureLaw::none && T > cracking)
+        audit.warnings.push_back(
+          "The oil is as hot as " + format_quantity(T, "degC", 4) +
+          ", where mineral oil cracks (from about " +
+          format_quantity(cracking, "degC") +
+          " on): its viscosity and density are extrapolations.");
+    }
+
     void
     audit_lubricant(const SceneParameters &parameters,
                     const Scene           &scene,
@@ -281,14 +299,7 @@ namespace asperity
          scene.oil.part_at_touch,
          "above 1 the gap is flooded: the oil is compressed before the "
          "surfaces touch"});
-      if (!scene.oil.warning.empty())
-        audit.warnings.push_back(scene.oil.warning);
-      if (oil.temperature.law != TemperatureLaw::none && T > cracking)
-        audit.warnings.push_back(
-          "The oil is as hot as " + format_quantity(T, "degC", 4) +
-          ", where mineral oil cracks (from about " +
-          format_quantity(cracking, "degC") +
-          " on): its viscosity and density are extrapolations.");
+      warn_of_oil(scene.oil.warning, oil, T, audit);
       audit.entries.push_back(
         {"compression of the oil at the load",
          1. - 1. / oil.compressibility.ratio(p),

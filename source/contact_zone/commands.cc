@@ -205,6 +205,16 @@ namespace asperity
                            error.what());
         }
     }
+
+    void
+    show_step(const SlidingRun &run, ProgressLine &progress)
+    {
+      const FrictionRow &row = run.state().rows.back();
+      progress.update(row.time / run.protocol().end_time(),
+                      "step " + std::to_string(row.step) +
+                        "  t = " + format_quantity(row.time, "us", 3) +
+                        "  mu = " + format_quantity(row.mu, "1", 3));
+    }
   } // namespace
 
 
@@ -253,11 +263,7 @@ namespace asperity
       {
         run.run([&](const SlidingRun &now) {
           output.step(now);
-          const FrictionRow &row = now.state().rows.back();
-          progress.update(row.time / now.protocol().end_time(),
-                          "step " + std::to_string(row.step) +
-                            "  t = " + format_quantity(row.time, "us", 3) +
-                            "  mu = " + format_quantity(row.mu, "1", 3));
+          show_step(now, progress);
         });
       }
     catch (const ComputationError &error)

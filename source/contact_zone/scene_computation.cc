@@ -91,6 +91,13 @@ namespace asperity
         format_quantity(parameters.lubrication.residual_film, "nm") +
         " thick (Lubrication/Residual film); no model tells this thickness, "
         "and mu depends on it by some per cent: vary it.");
+    if (fills_gap(model) && parameters.lubrication.sealing_gap > 0.)
+      warnings.push_back(
+        "Where the gap is below " +
+        format_quantity(parameters.lubrication.sealing_gap, "nm") +
+        " (Lubrication/Sealing gap) the oil is sealed and carries nothing, and "
+        "in the pockets it is incompressible; mu depends on this gap: vary "
+        "it.");
     return warnings;
   }
 

@@ -2,6 +2,36 @@
 
 namespace asperity
 {
+  namespace
+  {
+    /** What counts only for some treatments of a measured surface. */
+    EntryConditions
+    conditions_of_map(const std::string &map,
+                      SurfaceParameters SceneParameters::*const surface)
+    {
+      return {{{map + "Crop columns", map + "Crop rows"},
+               "Crop = window",
+               [=](const SceneParameters &p) {
+                 return (p.*surface).topography.crop == CropChoice::window;
+               }},
+              {{map + "Polynomial degree"},
+               "F-operator = polynomial",
+               [=](const SceneParameters &p) {
+                 return (p.*surface).topography.form == FormChoice::polynomial;
+               }},
+              {{map + "Spline degree",
+                map + "Samples per knot",
+                map + "Blend fraction"},
+               "the Periodic continuation wrapped spline",
+               [=](const SceneParameters &p) {
+                 return (p.*surface).topography.continuation ==
+                        Continuation::wrapped_spline;
+               }}};
+    }
+  } // namespace
+
+
+
   EntryConditions
   conditions_of_surface(const std::string &section,
                         SurfaceParameters SceneParameters::*const surface)
@@ -10,61 +40,46 @@ namespace asperity
       return
         [=](const SceneParameters &p) { return (p.*surface).kind == kind; };
     };
-    const std::string map = section + "/Topography/";
-    return {
-      {{section + "/Wave numbers",
-        section + "/Amplitudes",
-        section + "/Phases"},
-       "the Kind harmonics",
-       kind(SurfaceKind::harmonics)},
-      {{section + "/Spline degree", section + "/Spline spans", map + "Scale z"},
-       "the Kinds harmonics and measured",
-       [=](const SceneParameters &p) {
+    const std::string map        = section + "/Topography/";
+    EntryConditions   conditions = {
+        {{section + "/Wave numbers",
+          section + "/Amplitudes",
+          section + "/Phases"},
+         "the Kind harmonics",
+         kind(SurfaceKind::harmonics)},
+        {{section + "/Spline degree", section + "/Spline spans", map + "Scale z"},
+         "the Kinds harmonics and measured",
+         [=](const SceneParameters &p) {
          return (p.*surface).kind != SurfaceKind::flat;
        }},
-      {{section + "/Spline fit",
-        map + "File",
-        map + "Lateral unit",
-        map + "Height unit",
-        map + "Spacing x",
-        map + "Spacing y",
-        map + "Spike threshold",
-        map + "Crop",
-        map + "Crop columns",
-        map + "Crop rows",
-        map + "F-operator",
-        map + "Polynomial degree",
-        map + "S-filter nesting index",
-        map + "L-filter nesting index",
-        map + "Profile direction",
-        map + "Profile position",
-        map + "Profile start",
-        map + "Profile length",
-        map + "Largest missing fraction",
-        map + "Scale x",
-        map + "Periodic continuation",
-        map + "Spline degree",
-        map + "Samples per knot",
-        map + "Blend fraction"},
-       "the Kind measured",
-       kind(SurfaceKind::measured)},
-      {{map + "Crop columns", map + "Crop rows"},
-       "Crop = window",
-       [=](const SceneParameters &p) {
-         return (p.*surface).topography.crop == CropChoice::window;
-       }},
-      {{map + "Polynomial degree"},
-       "F-operator = polynomial",
-       [=](const SceneParameters &p) {
-         return (p.*surface).topography.form == FormChoice::polynomial;
-       }},
-      {{map + "Spline degree",
-        map + "Samples per knot",
-        map + "Blend fraction"},
-       "the Periodic continuation wrapped spline",
-       [=](const SceneParameters &p) {
-         return (p.*surface).topography.continuation ==
-                Continuation::wrapped_spline;
-       }}};
+        {{section + "/Spline fit",
+          map + "File",
+          map + "Lateral unit",
+          map + "Height unit",
+          map + "Spacing x",
+          map + "Spacing y",
+          map + "Spike threshold",
+          map + "Crop",
+          map + "Crop columns",
+          map + "Crop rows",
+          map + "F-operator",
+          map + "Polynomial degree",
+          map + "S-filter nesting index",
+          map + "L-filter nesting index",
+          map + "Profile direction",
+          map + "Profile position",
+          map + "Profile start",
+          map + "Profile length",
+          map + "Largest missing fraction",
+          map + "Scale x",
+          map + "Periodic continuation",
+          map + "Spline degree",
+          map + "Samples per knot",
+          map + "Blend fraction"},
+         "the Kind measured",
+         kind(SurfaceKind::measured)}};
+    const EntryConditions of_map = conditions_of_map(map, surface);
+    conditions.insert(conditions.end(), of_map.begin(), of_map.end());
+    return conditions;
   }
 } // namespace asperity

@@ -81,27 +81,53 @@ namespace asperity
            "Output folder of a run of the same body in a coarser or finer mesh "
            "of the fluid, from whose newest checkpoint this one goes on: a "
            "flow develops at less cost on a coarse mesh. None: from rest.");
-    {
-      const auto inflow = d.subsection("Inflow");
-      d.quantity("Largest velocity",
-                 largest_inflow,
-                 "m/s",
-                 Range::between(0., 1e3),
-                 "Peak of the parabola over the inlet, 1.5 times the mean.");
-      d.quantity("Ramp time",
-                 inflow_ramp,
-                 "s",
-                 Range::between(0., 1e3),
-                 "Time from rest to the full inflow: half a cosine for the "
-                 "flag, a quarter of a sine for the box; steady flows have "
-                 "none.");
-      d.quantity("End",
-                 inflow_end,
-                 "s",
-                 Range::between(0., 1e6),
-                 "Box: time from which the inflow ceases within half a "
-                 "second; `automatic`: never.");
-    }
+    declare_inflow(d);
+    declare_pulses(d);
+    const auto motion = d.subsection("Wall motion");
+    d.quantity("Displacement",
+               wall_displacement,
+               "um",
+               Range::between(-1e-3, 1e-3),
+               "Enclosed domain: way of the tool along x towards the chip, "
+               "half a cosine over time.");
+    d.quantity("Duration",
+               wall_duration,
+               "us",
+               Range::between(1e-12, 1e3),
+               "Enclosed domain: time until the tool is there.");
+  }
+
+
+
+  void
+  ProblemParameters::declare_inflow(ParameterDeclarator &d)
+  {
+    const auto inflow = d.subsection("Inflow");
+    d.quantity("Largest velocity",
+               largest_inflow,
+               "m/s",
+               Range::between(0., 1e3),
+               "Peak of the parabola over the inlet, 1.5 times the mean.");
+    d.quantity("Ramp time",
+               inflow_ramp,
+               "s",
+               Range::between(0., 1e3),
+               "Time from rest to the full inflow: half a cosine for the "
+               "flag, a quarter of a sine for the box; steady flows have "
+               "none.");
+    d.quantity("End",
+               inflow_end,
+               "s",
+               Range::between(0., 1e6),
+               "Box: time from which the inflow ceases within half a "
+               "second; `automatic`: never.");
+  }
+
+
+
+  void
+  ProblemParameters::declare_pulses(ParameterDeclarator &d)
+  {
     {
       const auto shake = d.subsection("Shaking");
       d.quantity("Acceleration",
@@ -117,32 +143,18 @@ namespace asperity
                  Range::between(0.01, 1e3),
                  "Frequency of that force.");
     }
-    {
-      const auto pressure = d.subsection("Pulse");
-      d.quantity("Pressure",
-                 pulse,
-                 "Pa",
-                 Range::between(0., 1e9),
-                 "Lined channel: height of the pulse at the inlet, a square of "
-                 "a sine.");
-      d.quantity("Duration",
-                 pulse_duration,
-                 "s",
-                 Range::between(1e-9, 1e3),
-                 "Lined channel: how long the pulse takes.");
-    }
-    const auto motion = d.subsection("Wall motion");
-    d.quantity("Displacement",
-               wall_displacement,
-               "um",
-               Range::between(-1e-3, 1e-3),
-               "Enclosed domain: way of the tool along x towards the chip, "
-               "half a cosine over time.");
+    const auto pressure = d.subsection("Pulse");
+    d.quantity("Pressure",
+               pulse,
+               "Pa",
+               Range::between(0., 1e9),
+               "Lined channel: height of the pulse at the inlet, a square of "
+               "a sine.");
     d.quantity("Duration",
-               wall_duration,
-               "us",
-               Range::between(1e-12, 1e3),
-               "Enclosed domain: time until the tool is there.");
+               pulse_duration,
+               "s",
+               Range::between(1e-9, 1e3),
+               "Lined channel: how long the pulse takes.");
   }
 
 

@@ -33,6 +33,29 @@ namespace asperity
               Range::between(2, 5),
               "Degree k of the velocity and of the cells' edges; the pressure "
               "has k - 1 (Taylor-Hood).");
+    declare_mesh(d);
+    d.number("Tolerance",
+             tolerance,
+             Range::between(1e-14, 1e-3),
+             "Residual of the flow, relative to its terms, at which Newton's "
+             "method ends.");
+    d.number("Kept tangent",
+             kept_tangent,
+             Range{0., 1., true, false},
+             "A tangent of the flow is kept while each step with it reduces "
+             "the residual to this share or less; 0: each is new.");
+    d.number("Mesh stiffening",
+             stiffening,
+             Range::between(0., 5.),
+             "Exponent chi with which small cells of the fluid's mesh are "
+             "stiffer than large ones.");
+  }
+
+
+
+  void
+  FluidParameters::declare_mesh(ParameterDeclarator &d)
+  {
     d.integer("Refinements",
               refinements,
               Range::between(0, 6),
@@ -57,21 +80,6 @@ namespace asperity
               Range::between(1, 200),
               "Lined channel and enclosed domain: cells of the coarse mesh "
               "across the fluid.");
-    d.number("Tolerance",
-             tolerance,
-             Range::between(1e-14, 1e-3),
-             "Residual of the flow, relative to its terms, at which Newton's "
-             "method ends.");
-    d.number("Kept tangent",
-             kept_tangent,
-             Range{0., 1., true, false},
-             "A tangent of the flow is kept while each step with it reduces "
-             "the residual to this share or less; 0: each is new.");
-    d.number("Mesh stiffening",
-             stiffening,
-             Range::between(0., 5.),
-             "Exponent chi with which small cells of the fluid's mesh are "
-             "stiffer than large ones.");
   }
 
 

@@ -133,51 +133,76 @@ TEST(GapFlow, shears_as_lubrication_theory_says)
   EXPECT_NEAR(run.rows().back().shear_T_x / shear, 1., 0.005);
 }
 
-// Each choice is one of discretisation or solver. After the same steps the
-// force of the oil differs by their errors, on a coarse mesh: those of two
-// elements, of one time step, of nodes placed otherwise; two solvers agree to
-// what the iterations between chip and oil leave.
-TEST(GapFlow, answers_alike_by_every_choice)
+namespace
 {
-  const auto result = [](const std::function<void(FlowParameters &)> &choose) {
-    SceneParameters parameters       = flooded_scene();
-    parameters.lubrication.mesh.rows = 3;
+  /** The end of a run with so many times the steps, columns and rows. */
+  FrictionRow
+  end_of_run(const std::function<void(FlowParameters &)> &choose,
+             const unsigned int                           finer_steps = 1,
+             const unsigned int                           finer_mesh  = 1)
+  {
+    SceneParameters parameters = flooded_scene();
+    parameters.protocol.ramp_steps *= finer_steps;
+    parameters.protocol.slide_steps *= finer_steps;
+    parameters.lubrication.mesh.columns_per_span *= finer_mesh;
+    parameters.lubrication.mesh.rows *= finer_mesh;
     choose(parameters.lubrication.flow);
     const CompleteRun run(parameters);
     return run.rows().back();
+  }
+
+  void
+  usual(FlowParameters &)
+  {}
+} // namespace
+
+// Two solvers agree to what the iterations between chip and oil leave, two ways
+// to move the inner nodes to the error that both have.
+TEST(GapFlow, answers_alike_by_each_solver_and_mesh_update)
+{
+  const FrictionRow expected     = end_of_run(usual);
+  const auto        expect_alike = [&](const FrictionRow &row,
+                                const double       tolerance) {
+    EXPECT_NEAR(row.shear_T_x / expected.shear_T_x, 1., tolerance);
+    EXPECT_NEAR(row.oil_pressure / expected.oil_pressure, 1., tolerance);
   };
-  const FrictionRow usual = result([](FlowParameters &) {});
-  const auto        expect_alike =
-    [&](const std::function<void(FlowParameters &)> &choose,
-        const double                                 tolerance,
-        const std::string                           &what) {
-      const FrictionRow row = result(choose);
-      EXPECT_NEAR(row.shear_T_x / usual.shear_T_x, 1., tolerance) << what;
-      EXPECT_NEAR(row.oil_pressure / usual.oil_pressure, 1., tolerance) << what;
+  expect_alike(end_of_run([](FlowParameters &flow) {
+                 flow.solver = FlowSolverKind::krylov;
+               }),
+               1e-4);
+  expect_alike(end_of_run([](FlowParameters &flow) {
+                 flow.mesh_update = MeshUpdateKind::elastic;
+               }),
+               0.005);
+}
+
+// What another time scheme and another element change is an error of the steps
+// and of the mesh: it falls with them.
+TEST(GapFlow, other_schemes_and_elements_converge_to_the_same)
+{
+  const auto euler = [](FlowParameters &flow) {
+    flow.time_scheme = FluidTimeScheme::implicit_euler;
+  };
+  const auto equal_order = [](FlowParameters &flow) {
+    flow.element = FluidElement::equal_order;
+  };
+  const auto difference =
+    [](const std::function<void(FlowParameters &)> &choose,
+       const unsigned int                           finer_steps,
+       const unsigned int                           finer_mesh) {
+      return std::abs(end_of_run(choose, finer_steps, finer_mesh).shear_T_x /
+                        end_of_run(usual, finer_steps, finer_mesh).shear_T_x -
+                      1.);
     };
-  expect_alike(
-    [](FlowParameters &flow) { flow.solver = FlowSolverKind::krylov; },
-    1e-4,
-    "Krylov");
-  expect_alike(
-    [](FlowParameters &flow) { flow.mesh_update = MeshUpdateKind::elastic; },
-    0.005,
-    "elastic mesh update");
-  expect_alike(
-    [](FlowParameters &flow) {
-      flow.time_scheme = FluidTimeScheme::implicit_euler;
-    },
-    0.03,
-    "implicit Euler");
-  expect_alike(
-    [](FlowParameters &flow) { flow.element = FluidElement::equal_order; },
-    0.03,
-    "equal order");
+  const double of_steps = difference(euler, 1, 1);
+  EXPECT_GT(of_steps, 1e-4);
+  EXPECT_LT(difference(euler, 2, 1), 0.65 * of_steps);
+  EXPECT_LT(difference(equal_order, 1, 2), 0.5 * difference(equal_order, 1, 1));
 }
 
 // Where the surfaces are nearer than the sealing gap the oil is cut. Its amount
-// stays the same to round-off, and the void of the pockets is that of their oil
-// up to what the iterations between chip and oil leave, in every step anew.
+// stays the same to round-off. The void of the pockets misses it by 6.4e-5 at
+// most, far more than the tolerance of the coupling; the reason is not known.
 TEST(GapFlow, falls_into_pockets_that_keep_their_oil)
 {
   SceneParameters parameters         = flooded_scene();

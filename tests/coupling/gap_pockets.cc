@@ -76,6 +76,33 @@ TEST(GapPockets, go_through_an_archive)
   EXPECT_THROW(read(other), InputError);
 }
 
+namespace
+{
+  /** A mesh of height 1 and length 4.5 whose roof is a cosine. */
+  dealii::Vector<double>
+  lifted_roof(const NavierStokes &flow, const double amplitude)
+  {
+    const dealii::Vector<double> X  = flow.reference_positions();
+    const auto                  &fe = flow.space().geometry_dofs().get_fe();
+    dealii::Vector<double>       d(X.size());
+    std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    for (const auto &cell :
+         flow.space().geometry_dofs().active_cell_iterators())
+      {
+        cell->get_dof_indices(dofs);
+        for (unsigned int k = 0; k < dofs.size(); ++k)
+          if (fe.system_to_component_index(k).first == 1)
+            {
+              const unsigned int a = fe.system_to_component_index(k).second;
+              const double x = X(dofs[fe.component_to_system_index(0, a)]);
+              d(dofs[k]) =
+                X(dofs[k]) * amplitude * std::cos(2. * M_PI * x / 4.5);
+            }
+      }
+    return d;
+  }
+} // namespace
+
 // Two chambers in a row, a column between them that opens and closes again 100
 // times, while a prescribed motion of the mesh raises the roof of one and
 // lowers that of the other. The floor gives way as Robin's condition says: a
@@ -92,12 +119,11 @@ TEST(GapPockets, merge_and_part_a_hundred_times)
   options.model.density             = 1e-3;
   options.model.viscosity.viscosity = 1e-6;
   options.scheme                    = FluidTimeScheme::implicit_euler;
-  NavierStokes                 flow(mesh, options, {{0, 1, 0}});
-  const BoundaryIds            floor = {2}, roof = {3};
-  const double                 alpha = 100., dt = 0.1;
-  GapPockets                   pockets(std::vector<double>(n, 0.1), 0.5);
-  const dealii::Vector<double> X       = flow.reference_positions();
-  const unsigned int           n_floor = flow.boundary().nodes(floor).size();
+  NavierStokes       flow(mesh, options, {{0, 1, 0}});
+  const BoundaryIds  floor = {2}, roof = {3};
+  const double       alpha = 100., dt = 0.1;
+  GapPockets         pockets(std::vector<double>(n, 0.1), 0.5);
+  const unsigned int n_floor = flow.boundary().nodes(floor).size();
   flow.boundary().set_robin(floor,
                             std::vector<double>(n_floor, alpha),
                             NodalVectors(n_floor),
@@ -115,25 +141,8 @@ TEST(GapPockets, merge_and_part_a_hundred_times)
       flow.set_active(pockets.is_open());
       flow.begin_step(dt);
       // The roof at the end of the step.
-      const double           amplitude = 0.05 * std::sin(0.3 * (step + 1.));
-      dealii::Vector<double> d(X.size());
-      std::vector<dealii::types::global_dof_index> dofs(
-        flow.space().geometry_dofs().get_fe().n_dofs_per_cell());
-      for (const auto &cell :
-           flow.space().geometry_dofs().active_cell_iterators())
-        {
-          const auto &fe = flow.space().geometry_dofs().get_fe();
-          cell->get_dof_indices(dofs);
-          for (unsigned int k = 0; k < dofs.size(); ++k)
-            if (fe.system_to_component_index(k).first == 1)
-              {
-                const unsigned int a = fe.system_to_component_index(k).second;
-                const double x = X(dofs[fe.component_to_system_index(0, a)]);
-                d(dofs[k]) =
-                  X(dofs[k]) * amplitude * std::cos(2. * M_PI * x / 4.5);
-              }
-        }
-      ASSERT_TRUE(flow.set_mesh_displacement(d));
+      const double amplitude = 0.05 * std::sin(0.3 * (step + 1.));
+      ASSERT_TRUE(flow.set_mesh_displacement(lifted_roof(flow, amplitude)));
       flow.boundary().set_wall_velocity(roof, flow.wall_mesh_velocity(roof));
       flow.set_part_volumes(pockets.oil());
       const ConvergenceReport report = flow.solve();

@@ -49,6 +49,14 @@ namespace asperity
 
     void
     declare(ParameterDeclarator &parameters);
+
+  private:
+    void
+    declare_inflow(ParameterDeclarator &parameters);
+
+    /** What acts on fluid or walls for a short time. */
+    void
+    declare_pulses(ParameterDeclarator &parameters);
   };
 
   /** The fluid and its elements. */
@@ -73,6 +81,10 @@ namespace asperity
 
     void
     declare(ParameterDeclarator &parameters);
+
+  private:
+    void
+    declare_mesh(ParameterDeclarator &parameters);
   };
 
   /** The splines and the motion of the elastic body. */
