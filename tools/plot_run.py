@@ -261,7 +261,7 @@ def plot_flow(directory, step, target):
     oil = part_at(directory, "oil", scene.step)
     points = oil.points * UM
     pressure = mean_at_points(points, oil.field("pressure")) * 1e-6
-    mean = np.average(scene.oil_pressure)
+    mean = np.average(pressure)  # of the open places only
     difference = pressure - mean
     velocity = oil.field("velocity")
     limit = max(np.quantile(abs(difference), 0.998), 1e-9)
