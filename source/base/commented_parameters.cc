@@ -1,4 +1,5 @@
 #include <asperity/base/commented_parameters.h>
+#include <asperity/base/parameter_file.h>
 #include <asperity/base/parameters.h>
 #include <asperity/base/text.h>
 
@@ -63,7 +64,8 @@ namespace asperity
         const std::string indent = std::string(2 * open.size(), ' ');
         write_wrapped(out, declared.sentence, indent + "# ");
         write_wrapped(out, "Here: " + entry->reason, indent + "# ");
-        out << indent << "set " << declared.key << " = " << entry->text << '\n';
+        out << indent << "set " << declared.key << " = "
+            << written_value(entry->text) << '\n';
       }
     change_subsection(out, open, {});
   }

@@ -20,17 +20,82 @@ namespace asperity
     constexpr std::size_t    most_files      = 1000;
 
     /**
+     * Behind the text between quotation marks that begins at @p begin, which is
+     * appended to @p content; npos if it has no end.
+     */
+    std::size_t
+    end_of_quotation(const std::string &line,
+                     const std::size_t  begin,
+                     std::string       &content)
+    {
+      for (std::size_t at = begin + 1; at < line.size(); ++at)
+        if (line[at] == '"')
+          return at + 1;
+        else
+          {
+            if (line[at] == '\\' && at + 1 < line.size() &&
+                (line[at + 1] == '"' || line[at + 1] == '\\'))
+              ++at;
+            content += line[at];
+          }
+      return std::string::npos;
+    }
+
+    /** Where the value of a `set` or the file of an `include` begins. */
+    std::size_t
+    begin_of_value(const std::string &line)
+    {
+      const std::size_t word  = line.find_first_not_of(" \t");
+      const std::size_t blank = line.find_first_of(" \t", word);
+      if (blank == std::string::npos)
+        return blank;
+      const std::string statement = line.substr(word, blank - word);
+      std::size_t       before    = std::string::npos;
+      if (statement == "set" || statement == "SET")
+        before = line.find('=', blank);
+      else if (statement == "include" || statement == "INCLUDE")
+        before = blank;
+      return before == std::string::npos ?
+               before :
+               line.find_first_not_of(" \t", before + 1);
+    }
+
+    /**
      * The line without its comment. A '#' begins one at the start of a line and
      * after a blank; elsewhere it may belong to a word, as in a folder's name.
+     * Between quotation marks it belongs to the value.
      */
     std::string
     without_comment(const std::string &line)
     {
-      for (std::size_t at = line.find('#'); at != std::string::npos;
+      std::size_t       from  = 0;
+      const std::size_t value = begin_of_value(line);
+      std::string       content;
+      if (value != std::string::npos && line[value] == '"')
+        from = end_of_quotation(line, value, content);
+      for (std::size_t at = line.find('#', from); at != std::string::npos;
            at             = line.find('#', at + 1))
         if (at == 0 || std::isspace(static_cast<unsigned char>(line[at - 1])))
           return line.substr(0, at);
       return line;
+    }
+
+    /** The text without its quotation marks, if it begins with one. */
+    std::string
+    unquoted(const std::string &text, const std::string &origin)
+    {
+      if (text.empty() || text.front() != '"')
+        return text;
+      std::string       content;
+      const std::size_t end = end_of_quotation(text, 0, content);
+      if (end == std::string::npos)
+        throw InputError(origin + ": The text behind the quotation mark has no "
+                                  "second one at its end.");
+      if (end < text.size() && text[end] != '#')
+        throw InputError(origin +
+                         ": Something stands behind the second quotation "
+                         "mark; inside of the text it is written \\\".");
+      return content;
     }
 
     /** The next line, however it ends: as on Unix, Windows or old Macs. */
@@ -203,9 +268,10 @@ namespace asperity
         ParameterLine line;
         line.subsections = file.subsections;
         line.key         = trim(assignment.substr(0, equals));
-        line.value       = trim(assignment.substr(equals + 1));
-        line.file        = file.name;
-        line.line        = file.first_line;
+        line.value =
+          unquoted(trim(assignment.substr(equals + 1)), file.origin());
+        line.file = file.name;
+        line.line = file.first_line;
         const auto [position, is_new] =
           file.line_of_path.insert({line.path(), line.line});
         if (!is_new)
@@ -216,8 +282,9 @@ namespace asperity
       }
 
       void
-      include(const std::string &included, File &file)
+      include(const std::string &name, File &file)
       {
+        const std::string included = unquoted(name, file.origin());
         if (!file.subsections.empty())
           throw InputError(file.origin() +
                            ": An 'include' must not stand inside of a "
@@ -243,6 +310,19 @@ namespace asperity
   ParameterLine::origin() const
   {
     return file + ", line " + std::to_string(line);
+  }
+
+  std::string
+  written_value(const std::string &text)
+  {
+    const std::string line = "set entry = " + text;
+    if (text.empty() || (text == trim(text) && text.front() != '"' &&
+                         text.back() != '\\' && without_comment(line) == line))
+      return text;
+    std::string escaped;
+    for (const char c : text)
+      escaped += (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
+    return '"' + escaped + '"';
   }
 
   std::vector<ParameterLine>

@@ -1,4 +1,5 @@
 #include <asperity/base/commented_parameters.h>
+#include <asperity/base/parameter_file.h>
 #include <asperity/base/parameters.h>
 #include <asperity/base/text.h>
 
@@ -43,7 +44,7 @@ namespace asperity
   ParameterDeclarator::write_prm(std::ostream &out) const
   {
     // deal.II's own listing sorts subsections and loses the range; this one
-    // keeps the order of declaration and is read by both.
+    // keeps the order of declaration.
     for (const std::string &subsection : subsections_of(declared))
       {
         const std::vector<std::string> path = split(subsection, '/');
@@ -67,7 +68,7 @@ namespace asperity
                                       entry.default_text) +
                                    "]"),
                             indent + "# ");
-              const std::string value = get(entry.path());
+              const std::string value = written_value(get(entry.path()));
               if (entry.need == Need::mandatory && !entry.given)
                 out << indent << "# set " << entry.key << " = \n";
               else

@@ -156,21 +156,25 @@ namespace asperity
   void
   ParameterDeclarator::assign(ParameterEntry &entry, const std::string &text)
   {
+    // A written parameter file may be read from elsewhere.
+    const std::string lasting =
+      entry.is_file && !text.empty() ?
+        std::filesystem::absolute(text).lexically_normal().string() :
+        text;
     try
       {
         entry.value = entry.assign(text);
+        if (lasting.find_first_of("\r\n") != std::string::npos)
+          throw InputError(quoted(lasting) +
+                           " has a line break, which a parameter file cannot "
+                           "hold; a text of one line is expected");
       }
     catch (const InputError &error)
       {
         throw InputError((entry.origin.empty() ? "" : entry.origin + ", ") +
                          "entry '" + entry.path() + "': " + error.what() + ".");
       }
-    entry.given = true;
-    // A written parameter file may be read from elsewhere.
-    const std::string lasting =
-      entry.is_file && !text.empty() ?
-        std::filesystem::absolute(text).lexically_normal().string() :
-        text;
+    entry.given                         = true;
     const std::vector<std::string> path = split(entry.subsection, '/');
     for (const std::string &name : path)
       handler.enter_subsection(name);

@@ -1,9 +1,7 @@
-#include <asperity/base/errors.h>
 #include <asperity/contact_zone/scene_choice.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <sstream>
 
 namespace asperity
@@ -65,9 +63,6 @@ namespace asperity
       audit();
       void
       write();
-      /** Not every name of a file survives being written and read. */
-      void
-      check_that_it_reads() const;
 
       SceneChoice                choice;
       const TopographyParameters given;
@@ -288,30 +283,6 @@ namespace asperity
                     "# ");
       write_commented_prm(out, declarator, choice.entries);
       choice.text = out.str();
-      check_that_it_reads();
-    }
-
-    void
-    SceneChooser::check_that_it_reads() const
-    {
-      SceneParameters          read;
-      dealii::ParameterHandler read_handler;
-      ParameterDeclarator      reader(read_handler);
-      read.declare(reader);
-      bool right = false;
-      try
-        {
-          reader.read_text(choice.text, "scene");
-          right = read.tool.topography.file ==
-                    std::filesystem::path(given.file).lexically_normal() &&
-                  read.output.directory == choice.parameters.output.directory;
-        }
-      catch (const InputError &)
-        {} // the name of the map is all that can be wrong
-      if (!right)
-        throw InputError("The name '" + given.file +
-                         "' cannot stand in a parameter file, where a '#' "
-                         "behind a blank starts a comment; rename the map.");
     }
   } // namespace
 

@@ -176,9 +176,9 @@ namespace asperity
     const auto in_section = parameters.subsection("Output");
     parameters.text("Output directory",
                     directory,
-                    "Folder of the results, made if it does not exist. A "
-                    "`#` inside of a name belongs to it; after a blank it "
-                    "starts a comment.");
+                    "Folder of the results, made if it does not exist. A name "
+                    "with a `#` after a blank stands between quotation "
+                    "marks.");
     parameters.integer("Picture interval",
                        picture_interval,
                        Range::between(0, 1000000),

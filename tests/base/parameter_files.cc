@@ -177,3 +177,82 @@ TEST_F(ParameterFiles, lines_may_end_as_on_other_systems)
                 file + ", line 3, entry 'Title'");
     }
 }
+
+TEST_F(ParameterFiles, every_name_of_a_file_is_read_as_it_was_written)
+{
+  for (const std::string name : {"run #2",
+                                 "#2",
+                                 "C#1",
+                                 " blanks at its ends ",
+                                 "tab\t#",
+                                 "\"marks\"",
+                                 "half a \"mark",
+                                 "\"mark\" #2",
+                                 "ends with \\",
+                                 "\\\" #\\",
+                                 "braces {a} $b ${c} %d",
+                                 "a = b",
+                                 "set a = \"b #c\"",
+                                 "an 'apostrophe' #",
+                                 "M\xC3\xBCller #\x01"})
+    {
+      Declared written(true), read(true);
+      write(name, "1,2\n");
+      written.parameters.set("Title", name);
+      written.parameters.set("Chip/Density", "1 g/cm3");
+      written.parameters.set("Chip/Height map", (folder / name).string());
+      std::ostringstream text;
+      written.parameters.write_prm(text);
+      read.parameters.read_text(text.str(), "x.prm");
+      EXPECT_EQ(read.sample.title, name);
+      EXPECT_EQ(read.sample.height_map, (folder / name).string());
+    }
+}
+
+TEST_F(ParameterFiles, a_value_between_quotation_marks_is_taken_as_it_stands)
+{
+  write("a #1.prm", "set Title = \"b # \\\"c\\\" \" # set Title = \"d\"\n");
+  Declared declared;
+  declared.parameters.read_file(
+    write("main.prm",
+          "include \"a #1.prm\" # a comment\n"
+          "subsection Load\n set Pressure = \"7 MPa\"#comment\nend\n"));
+  EXPECT_EQ(declared.sample.title, "b # \"c\" ");
+  EXPECT_EQ(declared.sample.pressure, 7e6);
+}
+
+TEST_F(ParameterFiles, a_quotation_mark_needs_its_partner)
+{
+  const std::string begin = "x.prm, line 1: ";
+  for (const std::string text : {"set Title = \"a # b\n",
+                                 "set Title = \"a \\\"\n",
+                                 "include \"\n",
+                                 "set Title = \\\n \"a # b\"\n"})
+    EXPECT_EQ(Declared().message_of(text),
+              begin + "The text behind the quotation mark has no second one at "
+                      "its end.")
+      << text;
+  EXPECT_EQ(Declared().message_of("set Title = \"a\" b\n"),
+            begin + "Something stands behind the second quotation mark; "
+                    "inside of the text it is written \\\".");
+}
+
+TEST_F(ParameterFiles, a_line_break_inside_of_a_name_is_refused)
+{
+  const std::string map = (folder / "two\nlines").string();
+  write("two\nlines", "1,2\n");
+  Declared declared(true);
+  try
+    {
+      declared.parameters.set("Title", "two\rlines");
+      FAIL() << "no error";
+    }
+  catch (const InputError &error)
+    {
+      EXPECT_STREQ(error.what(),
+                   "entry 'Title': 'two?lines' has a line break, which a "
+                   "parameter file cannot hold; a text of one line is "
+                   "expected.");
+    }
+  EXPECT_THROW(declared.parameters.set("Chip/Height map", map), InputError);
+}

@@ -119,16 +119,20 @@ TEST_F(NewScene, a_text_without_units_asks_for_the_options)
   EXPECT_FALSE(std::filesystem::exists(folder / "map.prm"));
 }
 
-TEST_F(NewScene, a_name_that_a_parameter_file_cannot_hold_is_refused)
+TEST_F(NewScene, the_name_of_the_map_may_hold_what_means_something_in_a_file)
 {
-  write("tool #1.txt", matrix());
-  EXPECT_NE(refusal("'tool #1.txt' --spacing 0.5um --unit um")
-              .find("cannot stand in a parameter file"),
+  for (const std::string name : {"tool #1", "#1 \"tool\"", "tool#1"})
+    {
+      write(name + ".txt", matrix());
+      const std::string map = "'" + name + ".txt'";
+      EXPECT_EQ(run("new " + map + " --spacing 0.5um --unit um").status, 0);
+      EXPECT_EQ(run("check '" + name + ".prm'").status, 0) << name;
+    }
+  write("two\nlines.txt", matrix());
+  EXPECT_NE(refusal("'two\nlines.txt' --spacing 0.5um --unit um")
+              .find("has a line break, which a parameter file cannot hold"),
             std::string::npos);
-  EXPECT_FALSE(std::filesystem::exists(folder / "tool #1.prm"));
-  write("tool#1.txt", matrix());
-  EXPECT_EQ(run("new 'tool#1.txt' --spacing 0.5um --unit um").status, 0);
-  EXPECT_EQ(run("check 'tool#1.prm'").status, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder / "two\nlines.prm"));
 }
 
 TEST_F(NewScene, wrong_command_lines_are_refused)

@@ -41,6 +41,32 @@ namespace
              (restart ? "true" : "false") + "\nend\n" + further;
     }
 
+    /** 16 x 4 heights in um. */
+    std::string
+    map(const double amplitude) const
+    {
+      std::ostringstream text;
+      text << std::fixed << std::setprecision(4);
+      for (unsigned int j = 0; j < 4; ++j)
+        for (unsigned int i = 0; i < 16; ++i)
+          text << 1. + amplitude * std::sin(2. * M_PI * i / 16.)
+               << (i < 15 ? " " : "\n");
+      return text.str();
+    }
+
+    /** The tool of a scene, from such a map. */
+    std::string
+    measured(const std::string &file) const
+    {
+      return "subsection Tool\n set Kind = measured\n subsection Topography\n"
+             "  set File = " +
+             file +
+             "\n  set Height unit = um\n"
+             "  set Spacing x = 0.6 um\n  set Spacing y = 0.6 um\n"
+             "  set F-operator = none\n  set S-filter nesting index = 0 um\n"
+             "  set L-filter nesting index = 0 um\n end\nend\n";
+    }
+
     unsigned int
     n_rows(const std::string &directory) const
     {
@@ -236,27 +262,11 @@ TEST_F(Restart, in_other_words_or_with_another_output_goes_on)
 
 TEST_F(Restart, with_another_height_map_is_refused)
 {
-  // 16 x 4 heights in um; the second map is of the same size.
-  const auto map = [](const double amplitude) {
-    std::ostringstream text;
-    text << std::fixed << std::setprecision(4);
-    for (unsigned int j = 0; j < 4; ++j)
-      for (unsigned int i = 0; i < 16; ++i)
-        text << 1. + amplitude * std::sin(2. * M_PI * i / 16.)
-             << (i < 15 ? " " : "\n");
-    return text.str();
-  };
-  const std::string measured =
-    "subsection Tool\n set Kind = measured\n subsection Topography\n"
-    "  set File = tool.txt\n  set Height unit = um\n"
-    "  set Spacing x = 0.6 um\n  set Spacing y = 0.6 um\n"
-    "  set F-operator = none\n  set S-filter nesting index = 0 um\n"
-    "  set L-filter nesting index = 0 um\n end\nend\n";
   write("tool.txt", map(0.2));
-  write("first.prm", scene("run", false, measured));
+  write("first.prm", scene("run", false, measured("tool.txt")));
   const Result first = run("first.prm");
   ASSERT_EQ(first.status, 0) << first.errors;
-  write("second.prm", scene("run", true, measured));
+  write("second.prm", scene("run", true, measured("tool.txt")));
   std::filesystem::copy(folder / "tool.txt", folder / "same.txt");
   ASSERT_EQ(run("second.prm").status, 0);
   write("tool.txt", map(0.3));
@@ -267,10 +277,28 @@ TEST_F(Restart, with_another_height_map_is_refused)
             std::string::npos)
     << second.errors;
   // By another name, the old content is the same tool.
-  std::string moved = scene("run", true, measured);
+  std::string moved = scene("run", true, measured("tool.txt"));
   moved.replace(moved.find("tool.txt"), 8, "same.txt");
   write("second.prm", moved);
   EXPECT_EQ(run("second.prm").status, 0);
+}
+
+TEST_F(Restart, goes_on_by_its_written_parameters_whatever_names_hold)
+{
+  write("tool #1 \\.txt", map(0.2));
+  write("first.prm",
+        scene("\"run #1\"", false, measured("\"tool #1 \\\\.txt\"")));
+  const Result first = run("first.prm");
+  ASSERT_EQ(first.status, 0) << first.errors;
+  std::filesystem::remove(folder / "run #1/checkpoint/step_24.checkpoint");
+  std::string text = read("run #1/parameters.prm");
+  text.replace(text.find("set Restart = false"), 19, "set Restart = true");
+  std::filesystem::create_directories(folder / "elsewhere");
+  write("elsewhere/second.prm", text);
+  const Result second = run("elsewhere/second.prm");
+  EXPECT_EQ(second.status, 0) << second.errors;
+  EXPECT_NE(second.output.find("Restart after step 21\n"), std::string::npos)
+    << second.output;
 }
 
 TEST_F(Restart, goes_back_to_the_newest_checkpoint_that_is_whole)

@@ -35,11 +35,15 @@ namespace asperity
    * Comments start with a `#` at the start of a line or after a blank. One
    * inside of a word belongs to the value or the file that is named, `set
    * Output directory = C#1`; only where neither can hold it, as in `end#`, it
-   * starts a comment, too. Text is UTF-8, with or without a byte-order mark;
-   * lines end as on Unix, Windows or an old Macintosh.
+   * starts a comment, too. A value or file between quotation marks, `set
+   * Output directory = "run #1"`, is taken as it stands, blanks at its ends
+   * included; `\"` and `\\` inside stand for `"` and `\`. Text is UTF-8, with
+   * or without a byte-order mark; lines end as on Unix, Windows or an old
+   * Macintosh.
    *
-   * @throws InputError for what is not such a line, for an entry set twice in
-   *   one file, for files that include themselves or too many others, and for
+   * @throws InputError for what is not such a line, for quotation marks without
+   *   their partner, for an entry set twice in one file, for files that include
+   *   themselves or too many others, and for
    *   what is no readable text file of a sensible size; lines are not repeated,
    *   as the file may be anybody's
    */
@@ -50,6 +54,11 @@ namespace asperity
    *  @throws InputError */
   std::vector<ParameterLine>
   read_parameter_lines(std::istream &input, const std::string &name);
+
+  /** How a line `set KEY = ...` says @p text, which has no line breaks:
+   *  between quotation marks where it would not be read as it is without. */
+  std::string
+  written_value(const std::string &text);
 } // namespace asperity
 
 #endif
