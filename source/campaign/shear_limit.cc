@@ -7,25 +7,22 @@ namespace asperity
   ShearLimit
   shear_limit_of(const MaterialParameters &material, const LawParameters &law)
   {
-    const auto &constants = material.constants<JohnsonCookParameters>();
-    const auto  chip      = material.make_law();
-    ShearLimit  limit;
+    const auto chip      = material.make_law();
+    const auto softening = chip->softening();
+    // Without softening the temperature does not matter.
+    const Softening thermal = softening.value_or(Softening{1., 0., 0.});
+    ShearLimit      limit;
     limit.strain = law.shear_strain;
     limit.rate   = law.shear_rate;
-    // A law without a melting point does not know the temperature.
-    limit.softens  = material.softest_temperature().has_value();
-    const double k = chip->shear_limit(limit.strain,
-                                       limit.rate,
-                                       constants.transition_temperature);
-    if (!std::isfinite(k))
+    limit.k_0    = chip->shear_limit(limit.strain,
+                                  limit.rate,
+                                  thermal.transition_temperature);
+    if (!std::isfinite(limit.k_0))
       return {}; // elastic
-    limit.k_0 = k;
-    if (limit.softens)
-      {
-        limit.exponent               = constants.m;
-        limit.transition_temperature = constants.transition_temperature;
-        limit.melting_temperature    = constants.melting_temperature;
-      }
+    limit.softens                = softening.has_value();
+    limit.exponent               = thermal.exponent;
+    limit.transition_temperature = thermal.transition_temperature;
+    limit.melting_temperature    = thermal.melting_temperature;
     return limit;
   }
 } // namespace asperity

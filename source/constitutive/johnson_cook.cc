@@ -81,8 +81,9 @@ namespace asperity
 
   JohnsonCook::JohnsonCook(const JohnsonCookParameters &parameters)
     : parameters(parameters)
-    , inverse_temperature_range(1. / (parameters.melting_temperature -
-                                      parameters.transition_temperature))
+    , thermal{parameters.m,
+              parameters.transition_temperature,
+              parameters.melting_temperature}
   {
     const auto require =
       [](const bool condition, const std::string &what, const double found) {
@@ -130,32 +131,9 @@ namespace asperity
 
 
 
-  ValueAndSlope
-  JohnsonCook::thermal_factor(const double temperature) const
+  std::optional<Softening>
+  JohnsonCook::softening() const
   {
-    const double homologous =
-      (temperature - parameters.transition_temperature) *
-      inverse_temperature_range;
-    if (homologous <= 0.)
-      return {1., 0.};
-    if (homologous >= 1.)
-      return {thermal_floor, 0.};
-    const double power = std::pow(homologous, parameters.m);
-    if (1. - power <= thermal_floor)
-      return {thermal_floor, 0.};
-    return {1. - power,
-            -parameters.m * power / homologous * inverse_temperature_range};
-  }
-
-
-
-  std::optional<double>
-  JohnsonCook::softest_temperature(const double strength) const
-  {
-    // 1 - T*^m = strength
-    return parameters.transition_temperature +
-           (parameters.melting_temperature -
-            parameters.transition_temperature) *
-             std::pow(1. - strength, 1. / parameters.m);
+    return thermal;
   }
 } // namespace asperity

@@ -13,7 +13,7 @@ namespace asperity
     /** Calls the action with the constants of each law, in order. */
     template <class Laws, class Action>
     void
-    for_each_law(Laws &laws, const Action &action)
+    for_each_law(Laws &&laws, const Action &action)
     {
       std::apply([&](auto &...constants) { (action(constants), ...); }, laws);
     }
@@ -26,16 +26,17 @@ namespace asperity
   {
     const auto section = parameters.subsection("Material");
     std::vector<std::pair<std::string, Place>> choices;
+    std::string                                descriptions;
     for_each_law(laws, [&](const auto &constants) {
+      descriptions += (choices.empty() ? "" : "; ") +
+                      std::string(constants.name) + ": " +
+                      constants.description;
       choices.emplace_back(constants.name, Place(choices.size()));
     });
-    parameters.choice(
-      "Law",
-      chosen,
-      choices,
-      "The material law: finite-strain J2 plasticity with the flow stress of "
-      "Johnson and Cook or that of Voce (linear and saturating hardening); or "
-      "elasticity after Hencky, neo-Hooke or St. Venant-Kirchhoff.");
+    parameters.choice("Law",
+                      chosen,
+                      choices,
+                      "The material law. " + descriptions + ".");
     elasticity.declare(parameters);
     heating.declare(parameters);
     for_each_law(laws, [&](auto &constants) { constants.declare(parameters); });
@@ -54,10 +55,30 @@ namespace asperity
 
 
 
-  std::optional<double>
-  MaterialParameters::softest_temperature(const double strength) const
+  std::optional<Softening>
+  MaterialParameters::softening() const
   {
-    return make_law()->softest_temperature(strength);
+    return make_law()->softening();
+  }
+
+
+
+  std::string
+  MaterialParameters::melting_entry() const
+  {
+    return "Material/" + make_law()->name() + "/Melting temperature";
+  }
+
+
+
+  std::vector<std::string>
+  MaterialParameters::law_names()
+  {
+    std::vector<std::string> names;
+    for_each_law(MaterialLaws(), [&](const auto &constants) {
+      names.emplace_back(constants.name);
+    });
+    return names;
   }
 
 

@@ -117,18 +117,19 @@ namespace asperity
                        "`; expected dynamic or automatic, since a chip that "
                        "floats on oil is held by its mass alone while the flow "
                        "is solved for.");
-    const auto melting = material.softest_temperature();
-    if (melting && load.temperature >= *melting)
+    const auto softening = material.softening();
+    if (softening &&
+        load.temperature >= softening->temperature_at(Softening::floor))
       throw InputError(
         parameters.where("Load/Temperature") + ": found " +
         format_quantity(load.temperature, "degC") +
         ", at which the chip has no strength; expected less than " +
-        format_quantity(*melting, "degC", 6) +
+        format_quantity(softening->temperature_at(Softening::floor),
+                        "degC",
+                        6) +
         ", near the melting temperature of " +
-        format_quantity(
-          material.constants<JohnsonCookParameters>().melting_temperature,
-          "degC") +
-        " (Material/Johnson-Cook/Melting temperature).");
+        format_quantity(softening->melting_temperature, "degC") + " (" +
+        material.melting_entry() + ").");
     if (chip.kind == SurfaceKind::harmonics &&
         mesh.spans < elements_per_wave * chip.highest_wave_number())
       throw InputError(

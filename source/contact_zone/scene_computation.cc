@@ -19,18 +19,15 @@ namespace asperity
                     const SceneParameters    &parameters,
                     std::vector<std::string> &warnings)
     {
-      const auto melting = parameters.material.softest_temperature(melted);
-      double     hottest = 0.;
+      const auto softening = parameters.material.softening();
+      double     hottest   = 0.;
       for (const FrictionRow &row : run.state().rows)
         hottest = std::max(hottest, row.max_temperature);
-      if (melting && hottest >= *melting)
+      if (softening && hottest >= softening->temperature_at(melted))
         warnings.push_back(
           "The chip gets as hot as " + format_quantity(hottest, "degC", 5) +
           " and all but melts there (melting temperature " +
-          format_quantity(parameters.material.constants<JohnsonCookParameters>()
-                            .melting_temperature,
-                          "degC",
-                          5) +
+          format_quantity(softening->melting_temperature, "degC", 5) +
           "); nothing conducts the heat away, so that this is an upper bound.");
     }
 

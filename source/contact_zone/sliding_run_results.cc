@@ -115,12 +115,14 @@ namespace asperity
       sentences +=
         " The viscosity of the oil grows with its pressure, and nothing limits "
         "its shear stress: try Lubricant/Stress limit = circular.";
-    const auto   melting = parameters.material.softest_temperature();
-    const double hottest = state_.rows.back().max_temperature;
-    if (melting && hottest > *melting - near_melting)
+    const auto   softening = parameters.material.softening();
+    const double hottest   = state_.rows.back().max_temperature;
+    if (softening &&
+        hottest > softening->temperature_at(Softening::floor) - near_melting)
       sentences += " The chip is at " + format_quantity(hottest, "degC", 4) +
                    ", where it has hardly any strength left below its melting "
-                   "temperature (Material/Johnson-Cook/Melting temperature).";
+                   "temperature (" +
+                   parameters.material.melting_entry() + ").";
     return sentences;
   }
 } // namespace asperity

@@ -39,8 +39,7 @@ namespace asperity
          "a Law of the chip that softens or heats itself, or a Temperature law "
          "of the oil",
          [](const SceneParameters &p) {
-           return p.material.softest_temperature() ||
-                  p.material.heats_itself() ||
+           return p.material.softening() || p.material.heats_itself() ||
                   (p.lubrication.model != LubricantModel::none &&
                    p.lubrication.oil.temperature.law != TemperatureLaw::none);
          }},
@@ -50,10 +49,9 @@ namespace asperity
         {{"Contact/Penetration tolerance"},
          "Augmentations",
          [](const SceneParameters &p) { return p.contact.augmentations > 0; }}};
-      for (const char *name :
-           {JohnsonCookParameters::name, VoceParameters::name})
-        conditions.push_back({{std::string("Material/") + name + "/"},
-                              std::string("the Law ") + name,
+      for (const std::string &name : MaterialParameters::law_names())
+        conditions.push_back({{"Material/" + name + "/"},
+                              "the Law " + name,
                               [=](const SceneParameters &p) {
                                 return p.material.make_law()->name() == name;
                               }});

@@ -152,11 +152,26 @@ TEST(JohnsonCook, factors_are_one_at_their_reference)
   EXPECT_DOUBLE_EQ(flow.rate_factor(p.reference_rate).value, 1.);
   EXPECT_DOUBLE_EQ(flow.rate_factor(p.reference_rate * std::exp(1.)).value,
                    1. + p.C);
-  EXPECT_DOUBLE_EQ(flow.thermal_factor(p.transition_temperature).value, 1.);
-  EXPECT_DOUBLE_EQ(flow.thermal_factor(0.).value, 1.);
-  EXPECT_DOUBLE_EQ(flow.thermal_factor(p.melting_temperature).value,
-                   JohnsonCook::thermal_floor);
-  EXPECT_DOUBLE_EQ(flow.thermal_factor(1e5).value, JohnsonCook::thermal_floor);
+  const Softening thermal = *flow.softening();
+  EXPECT_DOUBLE_EQ(thermal.factor(p.transition_temperature).value, 1.);
+  EXPECT_DOUBLE_EQ(thermal.factor(0.).value, 1.);
+  EXPECT_DOUBLE_EQ(thermal.factor(p.melting_temperature).value,
+                   Softening::floor);
+  EXPECT_DOUBLE_EQ(thermal.factor(1e5).value, Softening::floor);
+}
+
+
+
+TEST(Softening, by_hand_and_back)
+{
+  const Softening thermal{2., 300., 1300.};
+  // 1 - 0.5^2, slope -2 0.5/1000 K
+  EXPECT_DOUBLE_EQ(thermal.factor(800.).value, 0.75);
+  EXPECT_DOUBLE_EQ(thermal.factor(800.).slope, -1e-3);
+  EXPECT_DOUBLE_EQ(thermal.temperature_at(0.75), 800.);
+  const double end = thermal.temperature_at(Softening::floor);
+  EXPECT_LT(thermal.factor(end - 1.).slope, 0.);
+  EXPECT_EQ(thermal.factor(end + 1.).slope, 0.);
 }
 
 

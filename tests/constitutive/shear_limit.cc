@@ -54,3 +54,26 @@ TEST(ShearLimit, is_reached_in_flow_and_infinite_for_elastic_laws)
         EXPECT_EQ(k, std::numeric_limits<double>::infinity()) << law->name();
     }
 }
+
+
+
+// Exported laws and messages about melting know no more than softening().
+TEST(ShearLimit, depends_on_temperature_by_the_softening_alone)
+{
+  for (const auto &law : all_laws())
+    {
+      const double k_0 = law->shear_limit(0.3, 1e3, 0.);
+      if (!std::isfinite(k_0))
+        {
+          EXPECT_FALSE(law->softening()) << law->name();
+          continue;
+        }
+      for (const double T : {200., 500., 1100., 1700., 1900.})
+        {
+          const double factor =
+            law->softening() ? law->softening()->factor(T).value : 1.;
+          EXPECT_NEAR(law->shear_limit(0.3, 1e3, T), factor * k_0, 1e-12 * k_0)
+            << law->name() << ' ' << T;
+        }
+    }
+}

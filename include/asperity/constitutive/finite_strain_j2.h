@@ -62,8 +62,8 @@ namespace asperity
                 const double rate,
                 const double temperature) const override;
 
-    std::optional<double>
-    softest_temperature(const double strength) const override;
+    std::optional<Softening>
+    softening() const override;
 
   private:
     /** A returned state lies on the yield surface up to round-off, which must
@@ -181,10 +181,10 @@ namespace asperity
 
 
   template <class Flow>
-  std::optional<double>
-  FiniteStrainJ2<Flow>::softest_temperature(const double strength) const
+  std::optional<Softening>
+  FiniteStrainJ2<Flow>::softening() const
   {
-    return flow_stress.softest_temperature(strength);
+    return flow_stress.softening();
   }
 } // namespace asperity
 

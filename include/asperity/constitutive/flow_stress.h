@@ -1,18 +1,13 @@
 #ifndef asperity_constitutive_flow_stress_h
 #define asperity_constitutive_flow_stress_h
 
+#include <asperity/constitutive/softening.h>
+
 #include <cmath>
 #include <optional>
 
 namespace asperity
 {
-  /** A function of one variable at a point, with its derivative there. */
-  struct ValueAndSlope
-  {
-    double value;
-    double slope;
-  };
-
   /** The flow stress [Pa] at a point and its partial derivatives. */
   struct FlowStressValue
   {
@@ -31,6 +26,9 @@ namespace asperity
    *
    * in 1, 1/s and K, where static_value is the limit of a vanishing rate. The
    * value must be positive, continuous, and must not decrease with the rate.
+   * Temperature counts by the factor of softening() alone, which a law that
+   * softens hides by its own: messages about melting and the shear limit of
+   * exported laws are made from it.
    * FiniteStrainJ2 takes such a class as template argument, so that the hot
    * loop has no virtual calls.
    */
@@ -51,10 +49,9 @@ namespace asperity
              std::sqrt(3.);
     }
 
-    /** The temperature at which only this part of the strength is left [K];
-     *  empty unless the law hides this member, as one that melts does. */
-    std::optional<double>
-    softest_temperature(const double strength) const
+    /** Empty if the flow stress does not depend on the temperature. */
+    std::optional<Softening>
+    softening() const
     {
       return {};
     }

@@ -34,6 +34,8 @@ namespace asperity
   struct HenckyParameters
   {
     static constexpr const char *name = "Hencky";
+    static constexpr const char *description =
+      "elasticity, linear in the logarithmic strain";
 
     /** Declares nothing. */
     void

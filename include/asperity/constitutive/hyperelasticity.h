@@ -37,6 +37,9 @@ namespace asperity
   struct StVenantKirchhoffParameters
   {
     static constexpr const char *name = "St. Venant-Kirchhoff";
+    static constexpr const char *description =
+      "elasticity, linear in the Green-Lagrange strain, for moderate "
+      "compression only";
 
     /** Declares nothing. */
     void
@@ -84,6 +87,8 @@ namespace asperity
   struct NeoHookeParameters
   {
     static constexpr const char *name = "neo-Hooke";
+    static constexpr const char *description =
+      "compressible elasticity of neo-Hooke";
 
     /** Declares nothing. */
     void

@@ -16,6 +16,9 @@ namespace asperity
   struct JohnsonCookParameters
   {
     static constexpr const char *name = "Johnson-Cook";
+    static constexpr const char *description =
+      "finite-strain J2 plasticity whose flow stress hardens with strain and "
+      "rate and softens with temperature, after Johnson and Cook";
 
     double A                      = 288e6;   ///< initial flow stress [Pa]
     double B                      = 695e6;   ///< hardening [Pa]
@@ -49,15 +52,11 @@ namespace asperity
    *
    * Departures from theirs: below the reference rate the rate factor is 1
    * (the logarithm would be negative and the stress at rest -infinity), and the
-   * thermal factor does not fall below thermal_floor, so that a molten point
-   * keeps a positive flow stress and a regular tangent.
+   * thermal factor has the floor of Softening.
    */
   class JohnsonCook : public FlowStress<JohnsonCook>
   {
   public:
-    /** The smallest thermal factor. */
-    static constexpr double thermal_floor = 1e-3;
-
     /** @throws InputError if a constant has no physical meaning */
     explicit JohnsonCook(const JohnsonCookParameters &parameters);
 
@@ -72,10 +71,6 @@ namespace asperity
     ValueAndSlope
     rate_factor(const double rate) const;
 
-    /** max(thermal_floor, 1 - T*^m), temperature in K. */
-    ValueAndSlope
-    thermal_factor(const double temperature) const;
-
     /** The flow stress at rest [Pa]; see FlowStress. */
     double
     static_value(const double plastic_strain, const double temperature) const;
@@ -86,13 +81,13 @@ namespace asperity
              const double rate,
              const double temperature) const;
 
-    /** The temperature at which the thermal factor is `strength` [K]. */
-    std::optional<double>
-    softest_temperature(const double strength) const;
+    /** The thermal factor; see FlowStress. */
+    std::optional<Softening>
+    softening() const;
 
   private:
     JohnsonCookParameters parameters;
-    double                inverse_temperature_range;
+    Softening             thermal;
   };
 
 
@@ -104,7 +99,7 @@ namespace asperity
   JohnsonCook::static_value(const double plastic_strain,
                             const double temperature) const
   {
-    return hardening(plastic_strain).value * thermal_factor(temperature).value;
+    return hardening(plastic_strain).value * thermal.factor(temperature).value;
   }
 
 
@@ -116,7 +111,7 @@ namespace asperity
   {
     const ValueAndSlope h = hardening(plastic_strain);
     const ValueAndSlope r = rate_factor(rate);
-    const ValueAndSlope t = thermal_factor(temperature);
+    const ValueAndSlope t = thermal.factor(temperature);
     return {h.value * r.value * t.value,
             h.slope * r.value * t.value,
             h.value * r.slope * t.value,

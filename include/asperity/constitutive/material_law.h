@@ -2,6 +2,7 @@
 #define asperity_constitutive_material_law_h
 
 #include <asperity/constitutive/elastic_parameters.h>
+#include <asperity/constitutive/softening.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
@@ -96,10 +97,9 @@ namespace asperity
       return std::numeric_limits<double>::infinity();
     }
 
-    /** The temperature at which only this part of the strength is left [K];
-     *  empty if the law does not melt. */
-    virtual std::optional<double>
-    softest_temperature(const double strength) const
+    /** How the temperature weakens the shear limit; empty if it does not. */
+    virtual std::optional<Softening>
+    softening() const
     {
       return {};
     }

@@ -9,8 +9,10 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
 #include <tuple>
 #include <type_traits>
+#include <vector>
 
 namespace asperity
 {
@@ -20,7 +22,8 @@ namespace asperity
    * The point laws there are, each by the struct of its own constants; the
    * first one is the default. Such a struct has
    *
-   *   static constexpr const char *name;   // as in a parameter file
+   *   static constexpr const char *name;        // as in a parameter file
+   *   static constexpr const char *description; // a part of a sentence
    *   void declare(ParameterDeclarator &); // its own subsection, if any
    *   void check(const ParameterDeclarator &) const; // of its entries
    *   std::unique_ptr<MaterialLaw>
@@ -81,12 +84,19 @@ namespace asperity
     std::unique_ptr<MaterialLaw>
     make_law() const;
 
-    /** The temperature at which only this part of the strength is left [K]: by
-     *  default the floor of the flow stress; empty if the law does not melt.
+    /** Of the chosen law, MaterialLaw::softening().
      *  @throws InputError as make_law() */
-    std::optional<double>
-    softest_temperature(
-      const double strength = JohnsonCook::thermal_floor) const;
+    std::optional<Softening>
+    softening() const;
+
+    /** Path of the melting temperature of the chosen law, which has one if it
+     *  softens: "Material/<law>/Melting temperature". */
+    std::string
+    melting_entry() const;
+
+    /** Of all laws, in order. */
+    static std::vector<std::string>
+    law_names();
 
     /** Whether plastic work heats the points of this material.
      *  @throws InputError as make_law() */

@@ -14,6 +14,9 @@ namespace asperity
   struct VoceParameters
   {
     static constexpr const char *name = "Voce";
+    static constexpr const char *description =
+      "finite-strain J2 plasticity with linear and saturating hardening, after "
+      "Voce";
 
     double yield_stress      = 300e6; ///< sigma_0 [Pa]
     double saturation_stress = 300e6; ///< sigma_inf [Pa]
