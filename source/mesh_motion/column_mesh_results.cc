@@ -1,5 +1,7 @@
 #include <asperity/mesh_motion/column_mesh.h>
 
+#include <array>
+
 // What a column mesh tells of itself.
 namespace asperity
 {
@@ -7,30 +9,48 @@ namespace asperity
   using dealii::Tensor;
 
   std::vector<Tensor<1, 2>>
+  ColumnMesh::tool_wall_normals() const
+  {
+    const unsigned int n = tool_wall_nodes.size();
+    // Three times the integral of the shape function of a node and the tangent,
+    // over the quadratic edges at the node.
+    std::vector<Tensor<1, 2>> along(n);
+    for (unsigned int i = 0; i + 2 < n; i += 2)
+      {
+        std::array<Tensor<1, 2>, 3> x;
+        for (unsigned int k = 0; k < 3; ++k)
+          {
+            const WallNode &node = tool_wall_nodes[i + k];
+            x[k][0] = reference_x[i + k] + displacement_(node.dof_x);
+            x[k][1] = displacement_(node.dof_y);
+          }
+        along[i] += 2. * (x[1] - x[0]) - 0.5 * (x[2] - x[0]);
+        along[i + 1] += 2. * (x[2] - x[0]);
+        along[i + 2] += 2. * (x[2] - x[1]) - 0.5 * (x[2] - x[0]);
+      }
+    // The ends of the period are one node.
+    along.front() += along.back();
+    along.back() = along.front();
+    std::vector<Tensor<1, 2>> normals(n);
+    for (unsigned int i = 0; i < n; ++i)
+      normals[i] = Point<2>(-along[i][1], along[i][0]) / along[i].norm();
+    return normals;
+  }
+
+
+
+  std::vector<Tensor<1, 2>>
   ColumnMesh::tool_wall_velocity(const Tensor<1, 2> &tool_velocity,
                                  const Vector       &w) const
   {
-    const unsigned int n        = tool_wall_nodes.size();
-    const auto         position = [this](const unsigned int i) {
-      const WallNode &node = tool_wall_nodes[i];
-      return Point<2>(reference_x[i] + displacement_(node.dof_x),
-                      reference_y.back() + displacement_(node.dof_y));
-    };
-    std::vector<Tensor<1, 2>> v(n, tool_velocity);
-    for (unsigned int i = 0; i < n; ++i)
+    const std::vector<Tensor<1, 2>> normals = tool_wall_normals();
+    std::vector<Tensor<1, 2>>       v(normals.size(), tool_velocity);
+    for (unsigned int i = 0; i < v.size(); ++i)
       {
-        // Chord between the neighbours, across the period at its ends.
-        const bool   at_end = i == 0 || i == n - 1;
-        Tensor<1, 2> chord =
-          position(at_end ? 1 : i + 1) - position(at_end ? n - 2 : i - 1);
-        if (at_end)
-          chord[0] += period;
-        const Tensor<1, 2> normal =
-          Point<2>(-chord[1], chord[0]) / chord.norm();
         const WallNode    &node = tool_wall_nodes[i];
         const Tensor<1, 2> slip =
           Point<2>(w(node.dof_x), w(node.dof_y)) - Point<2>(tool_velocity);
-        v[i] += (slip * normal) * normal;
+        v[i] += (slip * normals[i]) * normals[i];
       }
     return v;
   }

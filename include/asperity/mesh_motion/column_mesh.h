@@ -143,7 +143,10 @@ namespace asperity
      * its volume that way when the chip carries it up or down. On the tool the
      * two normal components are one but for the error of quadratic
      * interpolation. It is taken there, too: a switch at the edge of the film
-     * would be a jump, which no coupling iteration gets past.
+     * would be a jump, which no coupling iteration gets past. The normals are
+     * those by which a motion along the wall moves no fluid through it (M. S.
+     * Engelman, R. L. Sani, P. M. Gresho, Int. J. Numer. Meth. Fluids 2 (1982)
+     * 225): parallel to the integral of n and the node's shape function.
      * @param w nodal mesh velocity
      */
     std::vector<dealii::Tensor<1, 2>>
@@ -154,6 +157,11 @@ namespace asperity
 
     void
     make_rectangle();
+
+    /** At tool_nodes(), of unit length, out of the gap; see
+     *  tool_wall_velocity(). */
+    std::vector<dealii::Tensor<1, 2>>
+    tool_wall_normals() const;
 
     void
     number_nodes();
