@@ -131,6 +131,41 @@ TEST(Restart, keeps_the_flow_in_the_gap_and_what_the_coupling_has_learnt)
     expect_identical_rest(parameters, stop);
 }
 
+// Waves of the same length on both surfaces seal the gap in six places where
+// their crests meet, and open it again.
+TEST(Restart, goes_on_identically_where_pockets_have_just_split_or_merged)
+{
+  SceneParameters parameters         = coarse_scene();
+  parameters.tool.wave_numbers       = {6};
+  parameters.tool.amplitudes         = {0.03e-6};
+  parameters.tool.phases             = {0.};
+  parameters.chip.kind               = SurfaceKind::harmonics;
+  parameters.chip.wave_numbers       = {6};
+  parameters.chip.amplitudes         = {0.03e-6};
+  parameters.chip.phases             = {M_PI};
+  parameters.load.velocity           = 400. / 60.;
+  parameters.protocol.inertia        = Inertia::dynamic;
+  parameters.protocol.slide_steps    = 16;
+  parameters.lubrication.model       = LubricantModel::navier_stokes;
+  parameters.lubrication.mesh.rows   = 1;
+  parameters.lubrication.sealing_gap = 60e-9;
+  parameters.geometry.initial_gap    = 0.05e-6;
+  const CompleteRun run(parameters);
+  const auto       &rows    = run.rows();
+  unsigned int      n_split = 0, n_merged = 0;
+  for (unsigned int i = 2; i < rows.size(); ++i)
+    {
+      const bool split  = rows[i - 1].pockets == 1 && rows[i].pockets > 1;
+      const bool merged = rows[i - 1].pockets > 1 && rows[i].pockets == 1;
+      if (split || merged)
+        expect_identical_rest(parameters, rows[i].step);
+      n_split += split;
+      n_merged += merged;
+    }
+  EXPECT_EQ(n_split, 1U);
+  EXPECT_EQ(n_merged, 1U);
+}
+
 TEST(Restart, refuses_the_state_of_another_mesh_and_one_that_is_cut_short)
 {
   SceneParameters parameters = coarse_scene(), finer = coarse_scene();

@@ -15,6 +15,8 @@ Usage: tools/benchmarks/lubricated_scene.py [--asperity PROGRAM] [--to FOLDER]
   flooded  the sixteen reference scenes full of oil, with the model of
            Lee (2025: dynamic, incompressible Navier-Stokes), with an incompressible
            film, and with what the audit chooses
+  pockets  the same scenes where the gap is cut below a sealing gap (all models
+           of FLOODED_POCKETS): contact, pressure in the pockets, thrust
 
 Tables go to the screen in Markdown, charts as PNG into FOLDER (default
 output/benchmarks). Run it on a quiet machine; compare within one run only.
@@ -23,8 +25,12 @@ output/benchmarks). Run it on a quiet machine; compare within one run only.
 import argparse
 import csv
 import os
+import sys
 
 from dry_scene import ROOT, load_case, print_head, run
+
+sys.path.insert(0, os.path.join(ROOT, "tools"))
+from run_output import part_at  # noqa: E402
 
 CASES = [(p, v, T) for p in (300, 1300) for v in (22.5, 200) for T in (25, 675)]
 HEAD = ("mu | contact fraction | oil pressure [MPa] | share of the load | "
@@ -35,6 +41,9 @@ FLOODED = {"flow": {},
                     "Protocol/Inertia": "automatic"},
            "audit": {"Lubrication/Model": "automatic",
                      "Protocol/Inertia": "automatic"}}
+FLOODED_POCKETS = {
+    f"pockets below {gap} nm": {"Lubrication/Sealing gap": f"{gap} nm"}
+    for gap in (20, 60)}
 FLOODED_LABELS = {"flow": "Navier-Stokes, incompressible, dynamic",
                   "film": "Reynolds, incompressible",
                   "audit": "the audit's choice, compressible"}
@@ -177,12 +186,55 @@ def flooded(arguments):
     chart_flooded(arguments, results)
 
 
-def run_flooded(arguments, scene, case, model):
+def pockets(arguments):
+    print_head("scene | p [MPa] | v [m/min] | T [degC] | model | mu | "
+               "contact fraction | largest contact pressure [GPa] | "
+               "share of the load | T_x of the oil / T_y | "
+               "difference of pressure in a pocket [%] | pockets at most | "
+               "iterations a step | at most | core time [s]")
+    for scene in ("R0", "R1"):
+        for case in CASES:
+            for model, entries in FLOODED_POCKETS.items():
+                name = "lubricated_{}_p{}_v{}_T{}".format(scene, *case)
+                summary, rows, seconds = run_flooded(
+                    arguments, scene, case, model,
+                    {**entries, "Output/Picture interval": 120})
+                folder = os.path.join(arguments.to, f"{name}_{model}")
+                print("| {} | {} | {} | {} | ".format(scene, *case) +
+                      f"{model} | {pocket_row(summary, rows, folder)} | "
+                      f"{seconds:.1f} |", flush=True)
+
+
+def pocket_row(summary, rows, folder):
+    begin = summary["friction"]["window"][0]
+    window = [r for r in rows if float(r["time [s]"]) >= begin]
+    thrust = (sum(float(r["oil T_x [N/m]"]) for r in window) /
+              sum(float(r["T_y [N/m]"]) for r in window))
+    iterations = [float(r["coupling iterations [-]"]) for r in rows]
+    contact = max(float(r["max contact pressure [Pa]"]) for r in rows)
+    return (f"{summary['friction']['mu']:.5f} | "
+            f"{summary['contact_fraction']:.4f} | {contact * 1e-9:.2f} | "
+            f"{summary['oil']['load_share']:.3f} | {thrust:+.5f} | "
+            f"{100. * pressure_difference(folder):.2f} | "
+            f"{max(int(r['pockets [-]']) for r in rows)} | "
+            f"{sum(iterations) / len(iterations):.1f} | "
+            f"{max(iterations):.0f}")
+
+
+def pressure_difference(folder):
+    """The largest over all pockets of (max p - min p)/max p at the end."""
+    oil = part_at(folder, "oil", 10**9)
+    pressure, pocket = oil.field("pressure"), oil.field("pocket")
+    in_pockets = [pressure[pocket == k] for k in set(pocket)]
+    return max((p.max() - p.min()) / p.max() for p in in_pockets)
+
+
+def run_flooded(arguments, scene, case, model, entries=None):
     """The reference scene by a model: its summary, the rows of its
     friction.csv, and the processor seconds that it took."""
     before = os.times()
     name = "lubricated_{}_p{}_v{}_T{}".format(scene, *case)
-    summary = run(arguments, f"{name}_{model}", FLOODED[model],
+    summary = run(arguments, f"{name}_{model}", entries or FLOODED[model],
                   include=os.path.join(ROOT, "parameter_files",
                                        "reference_scenes", name + ".prm"))
     with open(os.path.join(arguments.to, f"{name}_{model}", "friction.csv"),
@@ -246,7 +298,7 @@ def save(figure, arguments, name):
 
 
 TASKS = {"ladder": ladder, "wetting": wetting, "film": film, "thin": thin,
-         "flooded": flooded}
+         "flooded": flooded, "pockets": pockets}
 
 
 def main():
