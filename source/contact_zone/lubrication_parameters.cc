@@ -92,6 +92,11 @@ namespace asperity
                       "Of the linear systems of the flow: `direct`, a "
                       "factorisation; `Krylov`, an iteration with a "
                       "block preconditioner, in half the memory.");
+    parameters.flag("Compressible",
+                    compressible,
+                    "Whether the density law of the oil counts in the flow, so "
+                    "that enclosed oil has the pressure of its density; false: "
+                    "the oil keeps its volume, as in Lee (2025).");
   }
 
 
@@ -109,9 +114,9 @@ namespace asperity
                         "pressure a pocket, no flow; `Reynolds`, a thin film "
                         "that flows, cavitates and shears; `Stokes` and "
                         "`Navier-Stokes`, the flow in the whole gap, without "
-                        "and with the inertia of the oil, which is "
-                        "incompressible and fills the void; `automatic`, as "
-                        "the scene audit says.");
+                        "and with the inertia of the oil, which "
+                        "fills the void; `automatic`, as the scene audit "
+                        "says.");
       parameters.choice("Oil amount",
                         amount,
                         {{"part of void at start", OilAmount::void_at_start},
@@ -187,6 +192,7 @@ namespace asperity
     options.scheme           = flow.time_scheme;
     options.element          = flow.element;
     options.linear_solver    = flow.solver;
+    options.compressible     = flow.compressible;
     return options;
   }
 
@@ -199,6 +205,28 @@ namespace asperity
       return;
     check_amount(parameters);
     oil.check(parameters);
+    if (fills_gap(model))
+      check_flow(parameters);
+  }
+
+
+
+  void
+  LubricationParameters::check_flow(const ParameterDeclarator &parameters) const
+  {
+    const bool has_law = oil.compressibility.law != DensityLaw::incompressible;
+    if (flow.compressible && !has_law)
+      throw InputError(parameters.where("Flow/Compressible") +
+                       ": found true with the Density law incompressible; "
+                       "expected false, or a law that tells the density over "
+                       "the pressure.");
+    if (!flow.compressible &&
+        coupling.scheme == CouplingScheme::dirichlet_neumann)
+      throw InputError(parameters.where("Coupling/Scheme") +
+                       ": found Dirichlet-Neumann with incompressible oil, "
+                       "which is enclosed, so that a prescribed motion of its "
+                       "walls contradicts its volume; expected Robin-Neumann, "
+                       "or Flow/Compressible = true.");
   }
 
 

@@ -12,9 +12,10 @@ namespace asperity
     const std::string heat = "Lubricant/Temperature/";
 
     // What conditions are called.
-    const std::string any      = "a lubricant model other than none";
-    const std::string volume   = "the lubricant models pocket and Reynolds";
-    const std::string viscous  = "the lubricant models with flow";
+    const std::string any     = "a lubricant model other than none";
+    const std::string volume  = "the lubricant models pocket and Reynolds, and "
+                                "a Compressible flow";
+    const std::string viscous = "the lubricant models with flow";
     const std::string flooding = "the lubricant models Stokes and "
                                  "Navier-Stokes";
 
@@ -40,7 +41,8 @@ namespace asperity
     bool
     is_compressible(const SceneParameters &p)
     {
-      return is_one_of(p, {LubricantModel::pocket, LubricantModel::reynolds});
+      return is_one_of(p, {LubricantModel::pocket, LubricantModel::reynolds}) ||
+             (has_oil(p) && p.lubrication.flow.compressible);
     }
 
     bool
@@ -179,12 +181,11 @@ namespace asperity
                  return temperature(p) == TemperatureLaw::vogel;
                }},
               {{heat + "Thermal expansion"},
-               "the lubricant models pocket, Reynolds and Navier-Stokes",
+               "the lubricant models pocket, Reynolds and Navier-Stokes, and a "
+               "Compressible flow",
                [](const SceneParameters &p) {
-                 return is_one_of(p,
-                                  {LubricantModel::pocket,
-                                   LubricantModel::reynolds,
-                                   LubricantModel::navier_stokes});
+                 return is_compressible(p) ||
+                        is_one_of(p, {LubricantModel::navier_stokes});
                }}};
     }
 

@@ -92,9 +92,14 @@ namespace asperity
       warnings.push_back(
         "Where the gap is below " +
         format_quantity(parameters.lubrication.sealing_gap, "nm") +
-        " (Lubrication/Sealing gap) the oil is sealed and carries nothing, and "
-        "in the pockets it is incompressible; mu depends on this gap: vary "
-        "it.");
+        " (Lubrication/Sealing gap) the oil is sealed and carries nothing; mu "
+        "depends on this gap: vary it.");
+    if (fills_gap(model) && parameters.lubrication.sealing_gap > 0. &&
+        !parameters.lubrication.flow.compressible)
+      warnings.push_back(
+        "The oil in the pockets is incompressible, where oil loses 10 to 20 % "
+        "of its volume at such loads; Flow/Compressible = true would tell what "
+        "this changes.");
     return warnings;
   }
 

@@ -165,6 +165,8 @@ namespace asperity
   bool
   AleFluid::is_sealed() const
   {
+    if (flow.is_compressible())
+      return false;
     for (const auto id :
          flow.space().dofs().get_triangulation().get_boundary_ids())
       if (wall.count(id) == 0 && sliding_walls.count(id) == 0 &&

@@ -50,10 +50,12 @@ namespace asperity
       fluid.model.density    = options.inertia ? options.oil.density : 0.;
       fluid.model.viscosity  = options.oil.viscosity;
       fluid.model.convection = options.inertia;
-      fluid.element          = options.element;
-      fluid.scheme           = options.scheme;
-      fluid.linear_solver    = options.linear_solver;
-      fluid.tolerance        = flow_tolerance;
+      if (options.compressible)
+        fluid.model.compressibility = options.oil.compressibility;
+      fluid.element                  = options.element;
+      fluid.scheme                   = options.scheme;
+      fluid.linear_solver            = options.linear_solver;
+      fluid.tolerance                = flow_tolerance;
       fluid.kept_tangent_contraction = kept_tangent_contraction;
       return fluid;
     }
@@ -141,13 +143,15 @@ namespace asperity
     state_.n_pockets        = 1;
     if (options.sealing_gap > 0.)
       {
-        pockets_.emplace(column_voids(), options.sealing_gap);
+        pockets_.emplace(by_column(flow_.cell_contents()), options.sealing_gap);
         switch_columns();
         if (pockets_->n_pockets() == 0)
           throw InputError("The oil has no room to flow, since the gap is "
                            "nowhere wider than the sealing gap at the start.");
         state_.n_pockets = pockets_->n_pockets();
       }
+    else if (options.compressible)
+      flow_.set_part_volumes({initial_volume});
     set_tool_velocity();
   }
 

@@ -1,8 +1,5 @@
 #include <asperity/coupling/gap_flow.h>
 
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_values.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -10,22 +7,12 @@
 namespace asperity
 {
   std::vector<double>
-  GapFlow::column_voids() const
+  GapFlow::by_column(const std::vector<double> &of_cells) const
   {
-    const auto             &fe = flow_.space().dofs().get_fe();
-    const dealii::QGauss<2> quadrature(fe.degree + 1);
-    dealii::FEValues<2>     values(flow_.mapping(),
-                               fe,
-                               quadrature,
-                               dealii::update_JxW_values);
-    std::vector<double>     voids(mesh_.smallest_gaps().size());
-    for (const auto &cell : flow_.space().dofs().active_cell_iterators())
-      {
-        values.reinit(cell);
-        for (const double JxW : values.get_JxW_values())
-          voids[mesh_.column_of_cell(cell->active_cell_index())] += JxW;
-      }
-    return voids;
+    std::vector<double> sums(mesh_.smallest_gaps().size());
+    for (unsigned int cell = 0; cell < of_cells.size(); ++cell)
+      sums[mesh_.column_of_cell(cell)] += of_cells[cell];
+    return sums;
   }
 
 
@@ -66,20 +53,27 @@ namespace asperity
   void
   GapFlow::account_for_oil()
   {
-    const std::vector<double> wanted = oil_of_parts(),
-                              voids  = flow_.part_volumes();
-    state_.oil_volume                = 0.;
-    volume_error_                    = 0.;
+    const std::vector<double> wanted   = oil_of_parts(),
+                              contents = flow_.cell_contents();
+    std::vector<double> found(wanted.size());
+    for (const auto &cell : flow_.space().cells())
+      {
+        const unsigned int index = cell->active_cell_index();
+        found[flow_.space().part_of_cell(index)] += contents[index];
+      }
+    double oil    = pockets_->sealed_oil();
+    volume_error_ = 0.;
     for (unsigned int part = 0; part < wanted.size(); ++part)
       {
-        state_.oil_volume += wanted[part];
+        oil += wanted[part];
         volume_error_ =
-          std::max(volume_error_, std::abs(wanted[part] - voids[part]));
+          std::max(volume_error_, std::abs(wanted[part] - found[part]));
       }
-    state_.oil_volume += pockets_->sealed_oil();
-    volume_error_ /= state_.oil_volume;
+    volume_error_ /= oil;
+    state_.oil_volume =
+      flow_.is_compressible() ? flow_.volume() + pockets_->sealed_oil() : oil;
     state_.n_pockets = pockets_->n_pockets();
-    pockets_->spread(column_voids());
+    pockets_->spread(by_column(contents));
   }
 
 

@@ -68,16 +68,16 @@ namespace asperity
 
 
   void
-  GapPockets::spread(const std::vector<double> &voids)
+  GapPockets::spread(const std::vector<double> &contents)
   {
-    std::vector<double> pocket_void(n_pockets_);
-    for (unsigned int i = 0; i < voids.size(); ++i)
+    std::vector<double> sum(n_pockets_);
+    for (unsigned int i = 0; i < contents.size(); ++i)
       if (open_[i])
-        pocket_void[pocket_[i]] += voids[i];
+        sum[pocket_[i]] += contents[i];
     const std::vector<double> pocket_oil = oil();
-    for (unsigned int i = 0; i < voids.size(); ++i)
+    for (unsigned int i = 0; i < contents.size(); ++i)
       if (open_[i])
-        oil_[i] = pocket_oil[pocket_[i]] * voids[i] / pocket_void[pocket_[i]];
+        oil_[i] = pocket_oil[pocket_[i]] * contents[i] / sum[pocket_[i]];
   }
 
 

@@ -93,30 +93,9 @@ namespace asperity
   Vector
   NavierStokes::galerkin_divergence() const
   {
-    const auto                                  &fe = space_.dofs().get_fe();
-    const dealii::QGauss<2>                      quadrature(fe.degree + 1);
-    dealii::FEValues<2>                          values(mapping(),
-                               fe,
-                               quadrature,
-                               dealii::update_values |
-                                 dealii::update_gradients |
-                                 dealii::update_JxW_values);
-    std::vector<double>                          div_v(quadrature.size());
-    dealii::Vector<double>                       local(fe.n_dofs_per_cell());
-    std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
-    Vector                                       result(volume_source);
-    for (const auto &cell : space_.cells())
-      {
-        values.reinit(cell);
-        values[velocity_field].get_function_divergences(u, div_v);
-        local = 0.;
-        for (const unsigned int q : values.quadrature_point_indices())
-          for (unsigned int i = 0; i < dofs.size(); ++i)
-            local(i) -=
-              values[pressure_field].value(i, q) * div_v[q] * values.JxW(q);
-        cell->get_dof_indices(dofs);
-        space_.topology().distribute_local_to_global(local, dofs, result);
-      }
+    Vector result(volume_source);
+    result += content_source;
+    assembler.add_continuity(u, result);
     return result;
   }
 

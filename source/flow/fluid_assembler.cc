@@ -55,30 +55,52 @@ namespace asperity
                       Vector                                  &scale,
                       dealii::SparseMatrix<double>            *tangent) const
   {
-    Cell         cell(space, mesh);
+    Cell         cell(space, mesh, model_.is_compressible());
     const Vector w = mesh.velocity();
     for (const auto &it : space.cells())
       {
-        cell.flow.reinit(it);
-        cell.geometry.reinit(space.geometry_cell(it));
-        cell.flow[velocity_field].get_function_values(u, cell.v);
-        cell.flow[velocity_field].get_function_gradients(u, cell.grad_v);
-        cell.flow[velocity_field].get_function_values(history, cell.rate);
-        cell.flow[pressure_field].get_function_values(u, cell.p);
-        cell.geometry[velocity_field].get_function_values(w, cell.w);
-        if (cell.stabilised)
-          {
-            cell.flow[pressure_field].get_function_gradients(u, cell.grad_p);
-            cell.flow[velocity_field].get_function_hessians(
-              u, cell.second_derivatives);
-          }
+        reinit(cell, it, u, w);
         integrate(cell, tangent != nullptr);
-        it->get_dof_indices(cell.dofs);
         space.topology().distribute_local_to_global(cell.R, cell.dofs, R);
         for (unsigned int i = 0; i < cell.dofs.size(); ++i)
           scale(cell.dofs[i]) += cell.size(i);
         if (tangent != nullptr)
           constraints.distribute_local_to_global(cell.K, cell.dofs, *tangent);
+      }
+  }
+
+
+
+  void
+  FluidAssembler::reinit(Cell &cell,
+                         const dealii::DoFHandler<2>::active_cell_iterator &it,
+                         const Vector                                      &u,
+                         const Vector &w) const
+  {
+    cell.flow.reinit(it);
+    cell.geometry.reinit(space.geometry_cell(it));
+    it->get_dof_indices(cell.dofs);
+    cell.flow[velocity_field].get_function_values(u, cell.v);
+    cell.flow[velocity_field].get_function_gradients(u, cell.grad_v);
+    cell.flow[velocity_field].get_function_values(history, cell.rate);
+    cell.flow[pressure_field].get_function_values(u, cell.p);
+    cell.geometry[velocity_field].get_function_values(w, cell.w);
+    if (cell.stabilised)
+      {
+        cell.flow[pressure_field].get_function_gradients(u, cell.grad_p);
+        cell.flow[velocity_field].get_function_hessians(
+          u, cell.second_derivatives);
+      }
+    if (cell.is_compressible)
+      {
+        cell.geometry[velocity_field].get_function_divergences(w, cell.div_w);
+        cell.flow[pressure_field].get_function_values(history, cell.r_history);
+        for (unsigned int k = 0; k < cell.n_pressure; ++k)
+          {
+            const double p = u(cell.dofs[cell.index[dim][k]]);
+            cell.r[k]      = model_.compressibility.ratio(p);
+            cell.dr[k]     = model_.compressibility.derivative(p);
+          }
       }
   }
 
@@ -92,28 +114,41 @@ namespace asperity
     cell.K    = 0.;
     for (unsigned int q = 0; q < cell.quadrature.size(); ++q)
       {
-        Point x;
-        x.q      = q;
-        x.JxW    = cell.flow.JxW(q);
-        x.grad_v = cell.grad_v[q];
-        x.D      = 0.5 * (x.grad_v + transpose(x.grad_v));
-        x.div_v  = trace(x.grad_v);
-        x.p      = cell.p[q];
-        x.rate   = std::sqrt(2. * scalar_product(x.D, x.D));
-        x.eta    = viscosity.evaluate(x.rate, x.p);
-        // dv/dt at fixed X always sees the mesh move past the fluid; only the
-        // transport of v by itself is what Stokes flow leaves away.
-        x.c = (model_.convection ? cell.v[q] : Tensor<1, 2>()) - cell.w[q];
-        x.acceleration = rate.now * cell.v[q] + cell.rate[q] + x.grad_v * x.c;
-        if (model_.body_force)
-          x.acceleration -=
-            model_.body_force(cell.flow.quadrature_point(q), time);
-        cell.load(q);
+        const Point x = evaluate(cell, q);
         add_size(cell, x);
         galerkin(cell, x, with_tangent);
+        if (with_tangent && cell.is_compressible)
+          add_compression_tangent(cell, x);
         if (cell.stabilised)
           stabilise(cell, x, with_tangent);
       }
+  }
+
+
+
+  FluidAssembler::Point
+  FluidAssembler::evaluate(Cell &cell, const unsigned int q) const
+  {
+    Point x;
+    x.q      = q;
+    x.JxW    = cell.flow.JxW(q);
+    x.grad_v = cell.grad_v[q];
+    x.D      = 0.5 * (x.grad_v + transpose(x.grad_v));
+    x.div_v  = trace(x.grad_v);
+    x.excess = x.div_v;
+    x.p      = cell.p[q];
+    x.rate   = std::sqrt(2. * scalar_product(x.D, x.D));
+    x.eta    = viscosity.evaluate(x.rate, x.p);
+    // dv/dt at fixed X always sees the mesh move past the fluid; only the
+    // transport of v by itself is what Stokes flow leaves away.
+    x.c = (model_.convection ? cell.v[q] : Tensor<1, 2>()) - cell.w[q];
+    x.acceleration = rate.now * cell.v[q] + cell.rate[q] + x.grad_v * x.c;
+    if (model_.body_force)
+      x.acceleration -= model_.body_force(cell.flow.quadrature_point(q), time);
+    cell.load(q);
+    if (cell.is_compressible)
+      set_compression(cell, x);
+    return x;
   }
 
 
@@ -131,7 +166,8 @@ namespace asperity
         cell.size(cell.index[i][a]) +=
           (inertia * std::abs(cell.N[a]) + stress * cell.g[a].norm()) * x.JxW;
     for (unsigned int k = 0; k < cell.n_pressure; ++k)
-      cell.size(cell.index[dim][k]) += grad_v * std::abs(cell.M[k]) * x.JxW;
+      cell.size(cell.index[dim][k]) +=
+        (grad_v + std::abs(x.r_dot)) * std::abs(cell.M[k]) * x.JxW;
   }
 
 
@@ -157,7 +193,7 @@ namespace asperity
             x.JxW;
       }
     for (unsigned int k = 0; k < cell.n_pressure; ++k)
-      cell.R(I[dim][k]) -= x.div_v * M[k] * x.JxW;
+      cell.R(I[dim][k]) -= (x.r * x.div_v + x.mass_rate) * M[k] * x.JxW;
     if (!with_tangent)
       return;
 
@@ -186,7 +222,8 @@ namespace asperity
           for (unsigned int i = 0; i < dim; ++i)
             {
               const double gradient = -g[a][i] * M[k] * x.JxW;
-              cell.K(I[dim][k], I[i][a]) += gradient;
+              cell.K(I[dim][k], I[i][a]) +=
+                x.r * gradient - M[k] * N[a] * x.grad_r[i] * x.JxW;
               cell.K(I[i][a], I[dim][k]) +=
                 gradient + x.eta.d_pressure * M[k] * D_g[i] * x.JxW;
             }

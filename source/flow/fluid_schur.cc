@@ -122,7 +122,7 @@ namespace asperity
     Vector                                  &inertia) const
   {
     const unsigned int         first = space.n_velocity_dofs();
-    Cell                       cell(space, mesh);
+    Cell                       cell(space, mesh, false);
     dealii::FullMatrix<double> M(cell.n_pressure, cell.n_pressure);
     std::vector<dealii::types::global_dof_index> pressure(cell.n_pressure);
     for (const auto &it : space.cells())
@@ -138,8 +138,10 @@ namespace asperity
               cell.grad_v[q] + transpose(cell.grad_v[q]);
             const double gamma = std::sqrt(0.5 * scalar_product(two_D, two_D));
             const double JxW   = cell.flow.JxW(q);
+            const double p     = cell.p[q];
             const double inverse =
-              JxW / viscosity.evaluate(gamma, cell.p[q]).value;
+              JxW * (1. / viscosity.evaluate(gamma, p).value +
+                     rate.now * model_.compressibility.derivative(p));
             cell.load(q);
             for (unsigned int k = 0; k < cell.n_pressure; ++k)
               for (unsigned int l = 0; l < cell.n_pressure; ++l)

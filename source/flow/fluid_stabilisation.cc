@@ -68,7 +68,7 @@ namespace asperity
     for (unsigned int a = 0; a < cell.n_velocity; ++a)
       for (unsigned int i = 0; i < dim; ++i)
         cell.R(I[i][a]) +=
-          (s.tau * rho * (x.c * g[a]) * s.r[i] + s.tau_C * x.div_v * g[a][i]) *
+          (s.tau * rho * (x.c * g[a]) * s.r[i] + s.tau_C * x.excess * g[a][i]) *
           x.JxW;
     for (unsigned int k = 0; k < cell.n_pressure; ++k)
       {
@@ -97,20 +97,20 @@ namespace asperity
     const double d_tau_eta = -36. * tau_3 * eta * s.G_G;
     const double moves     = model_.convection ? 1. : 0.;
 
-    // One column: derivatives of r, tau, div v and of c by an unknown.
+    // One column: derivatives of r, tau, e and of c by an unknown.
     const auto add_column = [&](const unsigned int  column,
                                 const Tensor<1, 2> &dr,
                                 const double        d_tau,
-                                const double        d_div,
+                                const double        d_e,
                                 const Tensor<1, 2> &dc) {
       const Tensor<1, 2> d_tau_r = s.tau * dr + d_tau * s.r;
-      const double       d_tau_C_div =
-        s.tau_C * (d_div - d_tau / (tau_3 * s.steady) * x.div_v);
+      const double       d_tau_C_e =
+        s.tau_C * (d_e - d_tau / (tau_3 * s.steady) * x.excess);
       for (unsigned int a = 0; a < cell.n_velocity; ++a)
         for (unsigned int i = 0; i < dim; ++i)
           cell.K(I[i][a], column) +=
             (rho * (x.c * g[a]) * d_tau_r[i] +
-             rho * (dc * g[a]) * s.tau * s.r[i] + d_tau_C_div * g[a][i]) *
+             rho * (dc * g[a]) * s.tau * s.r[i] + d_tau_C_e * g[a][i]) *
             x.JxW;
       for (unsigned int k = 0; k < cell.n_pressure; ++k)
         cell.K(I[dim][k], column) -= (cell.m[k] * d_tau_r) * x.JxW;
@@ -129,16 +129,20 @@ namespace asperity
             dr[j] += rho * (rate.now * N[b] + x.c * g[b]) - eta * trace(H[b]);
             const double d_tau =
               -tau_3 * rho * rho * (s.Gc * dc) + d_tau_eta * d_eta;
-            add_column(I[j][b], dr, d_tau, g[b][j], dc);
+            const double d_e = g[b][j] + N[b] * x.grad_r[j] / x.r;
+            add_column(I[j][b], dr, d_tau, d_e, dc);
           }
       }
     for (unsigned int k = 0; k < cell.n_pressure; ++k)
       {
         const double d_eta = x.eta.d_pressure * cell.M[k];
+        const double d_e =
+          cell.dr[k] *
+          ((rate.now - x.r_dot / x.r) * cell.M[k] + x.b * cell.m[k]) / x.r;
         add_column(I[dim][k],
                    cell.m[k] + d_eta * s.viscous,
                    d_tau_eta * d_eta,
-                   0.,
+                   d_e,
                    Tensor<1, 2>());
       }
   }

@@ -153,6 +153,68 @@ namespace asperity
 
 
 
+  void
+  MovingMesh::add_content_history(const Vector              &r_old,
+                                  const Vector              &r_older,
+                                  const std::vector<double> &mean_ratio,
+                                  Vector                    &R) const
+  {
+    const auto             &fe          = space_.dofs().get_fe();
+    const auto             &geometry_fe = space_.geometry_dofs().get_fe();
+    const dealii::QGauss<2> quadrature(fe.degree + geometry_fe.degree);
+    dealii::FEValues<2>     pressure(space_.reference_mapping(),
+                                 fe,
+                                 quadrature,
+                                 dealii::update_values);
+    dealii::FEValues<2>     geometry(space_.reference_mapping(),
+                                 geometry_fe,
+                                 quadrature,
+                                 dealii::update_gradients |
+                                   dealii::update_JxW_values);
+    const Vector            w = velocity();
+    std::vector<double> ratio_old(quadrature.size()), ratio_older(ratio_old);
+    std::array<std::vector<Tensor<2, 2>>, 4> grad;
+    grad.fill(std::vector<Tensor<2, 2>>(quadrature.size()));
+    std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    Vector                                       local(dofs.size());
+    for (const auto &cell : space_.cells())
+      {
+        const double mean =
+          mean_ratio[space_.part_of_cell(cell->active_cell_index())];
+        pressure.reinit(cell);
+        geometry.reinit(space_.geometry_cell(cell));
+        pressure[pressure_field].get_function_values(r_old, ratio_old);
+        pressure[pressure_field].get_function_values(r_older, ratio_older);
+        unsigned int k = 0;
+        for (const Vector *field : {&now, &old, &older, &w})
+          geometry[displacement_field].get_function_gradients(*field,
+                                                              grad[k++]);
+        local = 0.;
+        for (const unsigned int q : pressure.quadrature_point_indices())
+          {
+            const auto area = [&](const unsigned int time) {
+              return determinant(
+                grad[time][q] +
+                Tensor<2, 2>(dealii::unit_symmetric_tensor<2>()));
+            };
+            // div w in the present cell, times its area
+            const double dilation =
+              scalar_product(cofactor(grad[0][q]), grad[3][q]);
+            const double content =
+              rate_.old * area(1) * (ratio_old[q] - mean) +
+              rate_.older * area(2) * (ratio_older[q] - mean) -
+              mean * (rate_.now * area(0) - dilation);
+            for (unsigned int i = 0; i < dofs.size(); ++i)
+              local(i) += content * pressure[pressure_field].value(i, q) *
+                          geometry.JxW(q);
+          }
+        cell->get_dof_indices(dofs);
+        space_.topology().distribute_local_to_global(local, dofs, R);
+      }
+  }
+
+
+
   bool
   MovingMesh::is_valid() const
   {

@@ -43,13 +43,14 @@ namespace asperity
     , u_older(u)
     , cell_forces(u)
     , volume_source(u)
+    , content_source(u)
     , source(u)
     , scale(u)
     , divergence(u)
   {
     dealii::Table<2, dealii::DoFTools::Coupling> coupling(3, 3);
     coupling.fill(dealii::DoFTools::always);
-    if (options.element == FluidElement::taylor_hood)
+    if (options.element == FluidElement::taylor_hood && !is_compressible())
       coupling(2, 2) = dealii::DoFTools::none;
     dealii::DynamicSparsityPattern couplings(u.size());
     dealii::DoFTools::make_sparsity_pattern(space_.dofs(),
@@ -114,9 +115,17 @@ namespace asperity
     else if (options.scheme != FluidTimeScheme::steady)
       rate = BackwardDifference::implicit_euler(dt);
     mesh.set_rate(rate);
-    Vector history(u_old);
+    Vector history(u_old), older(u_older);
+    if (is_compressible())
+      for (Vector *state : {&history, &older})
+        {
+          const Vector r = assembler.density_ratio(*state);
+          std::copy(r.begin() + space_.n_velocity_dofs(),
+                    r.end(),
+                    state->begin() + space_.n_velocity_dofs());
+        }
     history *= rate.old;
-    history.add(rate.older, u_older);
+    history.add(rate.older, older);
     assembler.set_step(rate, history, time());
     u = u_old;
   }
@@ -136,7 +145,7 @@ namespace asperity
   {
     std::map<unsigned int, double> prescribed = boundary_.prescribed(time());
     prescribe_inner_walls(prescribed);
-    level.update();
+    level.update(is_compressible());
     constrain(prescribed);
     for (const auto &entry : prescribed)
       u(entry.first) = entry.second;
@@ -148,11 +157,13 @@ namespace asperity
     volume_source = 0.;
     if (!material_walls.empty())
       mesh.add_swept_volume_defect(material_walls, volume_source);
-    level.impose_volumes(wanted_volumes, volume_source);
+    source = 0.;
+    source.add(-divergence_memory(), divergence);
+    account_for_content();
     const std::string problem =
       level.balance(u, volume_source, options.flux_tolerance);
-    source = volume_source;
-    source.add(-divergence_memory(), divergence);
+    source += volume_source;
+    source += content_source;
     return problem;
   }
 
@@ -291,7 +302,8 @@ namespace asperity
   NavierStokes::residual(const Vector &u, Vector &R)
   {
     assemble(u, R, nullptr);
-    return true;
+    // Too low a pressure has no density.
+    return std::isfinite(R.l2_norm());
   }
 
 
@@ -302,7 +314,7 @@ namespace asperity
     assemble(u, R, &matrix);
     fill_empty_rows();
     is_factorised = false;
-    return true;
+    return std::isfinite(R.l2_norm());
   }
 
 

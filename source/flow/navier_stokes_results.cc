@@ -92,7 +92,10 @@ namespace asperity
       }
     space_.topology().distribute(u);
     u_old      = u;
-    divergence = galerkin_divergence();
+    divergence = 0.;
+    // That of a compressible fluid may be its rate.
+    if (!is_compressible())
+      divergence = galerkin_divergence();
   }
 
 

@@ -29,9 +29,9 @@ namespace asperity
 
 
   void
-  PressureLevel::update()
+  PressureLevel::update(const bool is_compressible)
   {
-    is_enclosed.assign(space.parts().size(), true);
+    is_enclosed.assign(space.parts().size(), !is_compressible);
     for (const auto &cell : space.cells())
       for (const auto &face : cell->face_iterators())
         if (face->at_boundary() &&
@@ -184,14 +184,78 @@ namespace asperity
     if (wanted.empty())
       return;
     const std::vector<double> present = volumes();
-    const std::vector<double> swept =
+    std::vector<double>       sums =
       integrate_divergence(space.geometry_dofs(), mesh.velocity());
-    const Vector weight = weights();
     for (unsigned int part = 0; part < wanted.size(); ++part)
+      sums[part] += mesh.rate().now * (wanted[part] - present[part]);
+    impose_sums(sums, source);
+  }
+
+
+
+  void
+  PressureLevel::impose_contents(const std::vector<double> &wanted,
+                                 const Vector              &u,
+                                 const Vector              &ratio,
+                                 Vector                    &source) const
+  {
+    if (wanted.empty())
+      return;
+    std::vector<double> sums = integrate_slip(u, ratio);
+    for (unsigned int part = 0; part < wanted.size(); ++part)
+      sums[part] += mesh.rate().now * wanted[part];
+    impose_sums(sums, source);
+  }
+
+
+
+  std::vector<double>
+  PressureLevel::integrate_slip(const Vector &u, const Vector &ratio) const
+  {
+    const dealii::FEValuesExtractors::Scalar pressure_field(2);
+    const dealii::QGauss<1>                  quadrature(2 * space.degree() + 1);
+    dealii::FEFaceValues<2>                  face(mesh.mapping(),
+                                 space.dofs().get_fe(),
+                                 quadrature,
+                                 dealii::update_values |
+                                   dealii::update_normal_vectors |
+                                   dealii::update_JxW_values);
+    dealii::FEFaceValues<2>                  geometry(mesh.mapping(),
+                                     space.geometry_dofs().get_fe(),
+                                     quadrature,
+                                     dealii::update_values);
+    const Vector                             w_field = mesh.velocity();
+    std::vector<dealii::Tensor<1, 2>>        v(quadrature.size()), w(v);
+    std::vector<double>                      r(quadrature.size());
+    std::vector<double>                      slip(space.parts().size());
+    for (const auto &cell : space.cells())
+      for (const unsigned int f : cell->face_indices())
+        {
+          if (!cell->at_boundary(f) ||
+              !boundary.prescribes_velocity(cell->face(f)->boundary_id()))
+            continue;
+          face.reinit(cell, f);
+          geometry.reinit(space.geometry_cell(cell), f);
+          face[velocity_field].get_function_values(u, v);
+          geometry[velocity_field].get_function_values(w_field, w);
+          face[pressure_field].get_function_values(ratio, r);
+          for (const unsigned int q : face.quadrature_point_indices())
+            slip[space.part_of_cell(cell->active_cell_index())] +=
+              r[q] * ((v[q] - w[q]) * face.normal_vector(q)) * face.JxW(q);
+        }
+    return slip;
+  }
+
+
+
+  void
+  PressureLevel::impose_sums(const std::vector<double> &sums,
+                             Vector                    &source) const
+  {
+    const Vector weight = weights();
+    for (unsigned int part = 0; part < sums.size(); ++part)
       {
-        double missing =
-          swept[part] + mesh.rate().now * (wanted[part] - present[part]);
-        double area = 0.;
+        double missing = sums[part], area = 0.;
         for (const unsigned int i : space.parts()[part])
           {
             missing -= source(i);

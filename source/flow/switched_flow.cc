@@ -1,6 +1,9 @@
 #include <asperity/base/errors.h>
 #include <asperity/flow/navier_stokes.h>
 
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+
 // Cells of a flow that are switched on and off, and the volume of its parts.
 namespace asperity
 {
@@ -10,12 +13,48 @@ namespace asperity
     std::vector<bool> was_idle(u.size());
     for (unsigned int i = 0; i < was_idle.size(); ++i)
       was_idle[i] = space_.is_idle(i);
+    const std::vector<bool> was_active = space_.active();
     space_.set_active(active);
     wanted_volumes.clear();
     inner_walls =
       std::make_unique<WallNodes>(WallNodes::on_inner_walls(space_));
     is_factorised = false;
+    start_unknowns(was_idle);
+    if (options.element == FluidElement::equal_order)
+      restart_divergence(was_active);
+  }
 
+
+
+  void
+  NavierStokes::restart_divergence(const std::vector<bool> &was_active)
+  {
+    u = u_old;
+    if (!is_compressible())
+      {
+        volume_source = 0.;
+        divergence    = galerkin_divergence();
+        return;
+      }
+    // The rate of the density is known no longer; where no cell has been
+    // switched nothing changes.
+    std::vector<dealii::types::global_dof_index> dofs(
+      space_.dofs().get_fe().n_dofs_per_cell());
+    for (const auto &cell : space_.dofs().active_cell_iterators())
+      if (was_active[cell->active_cell_index()] !=
+          space_.active()[cell->active_cell_index()])
+        {
+          cell->get_dof_indices(dofs);
+          for (const auto i : dofs)
+            divergence(i) = 0.;
+        }
+  }
+
+
+
+  void
+  NavierStokes::start_unknowns(const std::vector<bool> &was_idle)
+  {
     // What is new has gone with the mesh.
     Vector w = mesh.old_displacement();
     w -= mesh.older_displacement();
@@ -43,12 +82,29 @@ namespace asperity
             u(dofs[k]) = u_old(dofs[k]) = u_older(dofs[k]) = value;
           }
       }
-    if (options.element == FluidElement::equal_order)
-      {
-        u             = u_old;
-        volume_source = 0.;
-        divergence    = galerkin_divergence();
-      }
+    start_pressures(was_idle);
+  }
+
+
+
+  void
+  NavierStokes::start_pressures(const std::vector<bool> &was_idle)
+  {
+    for (const auto &part : space_.parts())
+      for (Vector *state : {&u, &u_old, &u_older})
+        {
+          double       sum     = 0.;
+          unsigned int n_known = 0;
+          for (const unsigned int i : part)
+            if (!was_idle[i])
+              {
+                sum += (*state)(i);
+                ++n_known;
+              }
+          for (const unsigned int i : part)
+            if (was_idle[i])
+              (*state)(i) = n_known > 0 ? sum / n_known : 0.;
+        }
   }
 
 
@@ -69,6 +125,76 @@ namespace asperity
   NavierStokes::part_volumes() const
   {
     return level.volumes();
+  }
+
+
+
+  bool
+  NavierStokes::is_compressible() const
+  {
+    return options.model.is_compressible();
+  }
+
+
+
+  std::vector<double>
+  NavierStokes::cell_contents() const
+  {
+    const dealii::FEValuesExtractors::Scalar pressure_field(2);
+    const auto                              &fe = space_.dofs().get_fe();
+    const dealii::QGauss<2>                  quadrature(fe.degree + 1);
+    dealii::FEValues<2>                      values(mapping(),
+                               fe,
+                               quadrature,
+                               dealii::update_values |
+                                 dealii::update_JxW_values);
+    const Vector                             ratio = assembler.density_ratio(u);
+    std::vector<double>                      r(quadrature.size());
+    std::vector<double>                      contents(space_.active().size());
+    for (const auto &cell : space_.cells())
+      {
+        values.reinit(cell);
+        values[pressure_field].get_function_values(ratio, r);
+        for (const unsigned int q : values.quadrature_point_indices())
+          contents[cell->active_cell_index()] += r[q] * values.JxW(q);
+      }
+    return contents;
+  }
+
+
+
+  void
+  NavierStokes::account_for_content()
+  {
+    if (!is_compressible())
+      {
+        level.impose_volumes(wanted_volumes, volume_source);
+        return;
+      }
+    const Vector r_old   = assembler.density_ratio(u_old),
+                 r_older = assembler.density_ratio(u_older);
+    std::vector<double> mean_ratio;
+    for (const auto &part : space_.parts())
+      {
+        double sum = 0.;
+        for (const unsigned int i : part)
+          sum += r_old(i);
+        mean_ratio.push_back(sum / part.size());
+        for (const unsigned int i : part)
+          volume_source(i) *= mean_ratio.back();
+      }
+    content_source = 0.;
+    mesh.add_content_history(r_old, r_older, mean_ratio, content_source);
+    content_source *= -1.;
+    // The whole source makes the content, but the history is no size to compare
+    // a residual with.
+    Vector whole = content_source;
+    whole += volume_source;
+    whole += source;
+    const Vector uneven = whole;
+    level.impose_contents(wanted_volumes, u, assembler.density_ratio(u), whole);
+    content_source += whole;
+    content_source -= uneven;
   }
 
 

@@ -104,7 +104,8 @@ TEST_F(Commands, check_says_which_entries_the_models_do_not_read)
             std::string::npos)
     << output;
   EXPECT_NE(output.find("Not used here: Lubricant/Density law (only with the "
-                        "lubricant models pocket and Reynolds).\n"),
+                        "lubricant models pocket and Reynolds, and a "
+                        "Compressible flow).\n"),
             std::string::npos)
     << output;
   EXPECT_EQ(output.find("Lubricant/Viscosity"), std::string::npos) << output;

@@ -173,6 +173,12 @@ TEST(UnusedEntries, of_each_model_are_those_that_it_does_not_read)
   };
   const EntryValues stokes = {{"Lubrication/Model", "Stokes"}};
   EXPECT_TRUE(is_unused(stokes, "Lubricant/Density law"));
+  EXPECT_FALSE(
+    is_unused({{"Lubrication/Model", "Stokes"}, {"Flow/Compressible", "true"}},
+              "Lubricant/Density law"));
+  EXPECT_TRUE(
+    is_unused({{"Lubrication/Model", "none"}, {"Flow/Compressible", "true"}},
+              "Flow/Compressible"));
   EXPECT_FALSE(is_unused(stokes, "Lubrication/Sealing gap"));
   EXPECT_FALSE(is_unused(stokes, "Lubrication/Residual film"));
   EXPECT_TRUE(is_unused({{"Lubrication/Model", "Stokes"},

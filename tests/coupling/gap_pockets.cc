@@ -170,3 +170,60 @@ TEST(GapPockets, merge_and_part_a_hundred_times)
       EXPECT_NEAR(sum(pockets.oil()) + pockets.sealed_oil(), 4.5, 4.5e-12);
     }
 }
+
+// The same without a floor that gives way: the oil is compressed, and each
+// pocket has the pressure that the law tells for its content and its void,
+// whatever the gate has done.
+TEST(GapPockets, of_compressible_oil_have_the_pressure_of_their_density)
+{
+  constexpr unsigned int   n = 18, gate = 8, gate_end = 10;
+  dealii::Triangulation<2> mesh;
+  dealii::GridGenerator::subdivided_hyper_rectangle(
+    mesh, {n, 1U}, dealii::Point<2>(), dealii::Point<2>(4.5, 1.), true);
+  FluidOptions options;
+  options.model.density             = 1e-3;
+  options.model.viscosity.viscosity = 1e-6;
+  options.model.compressibility     = {DensityLaw::murnaghan, 10., 8.};
+  NavierStokes      flow(mesh, options, {{0, 1, 0}});
+  const BoundaryIds floor = {2}, roof = {3};
+  GapPockets        pockets(std::vector<double>(n, 4.5 / n), 0.5);
+  flow.boundary().set_wall_velocity(
+    floor, NodalVectors(flow.boundary().nodes(floor).size()));
+  for (unsigned int step = 0; step < 200; ++step)
+    {
+      const bool          is_shut = step % 2 == 0;
+      std::vector<double> gaps(n, 1.);
+      for (unsigned int i = gate; i < gate_end; ++i)
+        gaps[i] = is_shut ? 0. : 1.;
+      gaps[n - 1] = 0.;
+      pockets.open(gaps);
+      flow.set_active(pockets.is_open());
+      flow.begin_step(0.1);
+      const double amplitude = 0.05 * std::sin(0.3 * (step + 1.));
+      ASSERT_TRUE(flow.set_mesh_displacement(lifted_roof(flow, amplitude)));
+      flow.boundary().set_wall_velocity(roof, flow.wall_mesh_velocity(roof));
+      flow.set_part_volumes(pockets.oil());
+      const ConvergenceReport report = flow.solve();
+      ASSERT_TRUE(report.converged) << report.reason;
+
+      const std::vector<double> oil      = pockets.oil();
+      const std::vector<double> voids    = flow.part_volumes();
+      const std::vector<double> contents = flow.cell_contents();
+      ASSERT_EQ(oil.size(), is_shut ? 2U : 1U);
+      std::vector<double> found(oil.size());
+      for (unsigned int i = 0; i < n; ++i)
+        if (pockets.is_open()[i])
+          found[pockets.pocket(i)] += contents[i];
+      for (unsigned int k = 0; k < oil.size(); ++k)
+        {
+          EXPECT_NEAR(found[k] / oil[k], 1., 1e-8) << "step " << step;
+          const double p =
+            options.model.compressibility.pressure(oil[k] / voids[k]);
+          EXPECT_NEAR(flow.pressure_at({k == 0 ? 1. : 3.2, 0.5}), p, 2e-3)
+            << "step " << step;
+        }
+      flow.accept();
+      pockets.spread(contents);
+      EXPECT_NEAR(sum(pockets.oil()) + pockets.sealed_oil(), 4.5, 4.5e-12);
+    }
+}

@@ -25,10 +25,9 @@ namespace
   /** Norm of the difference of tangent and difference quotient along a random
    *  direction, over the norm of the quotient. */
   double
-  tangent_error(const FluidElement         element,
-                const unsigned int         degree,
-                const ViscosityParameters &viscosity,
-                const bool                 convection)
+  tangent_error(const FluidElement element,
+                const unsigned int degree,
+                const FluidModel  &model)
   {
     const auto       mesh = rectangle(3, 2);
     const FluidSpace space(*mesh, element, degree, 2, {});
@@ -47,10 +46,6 @@ namespace
                        std::vector<double>(n, 0.7),
                        NodalVectors(n, vector(0.3, -0.2)),
                        NodalVectors(n, vector(0.1, 0.1)));
-    FluidModel model;
-    model.density    = 1.3;
-    model.viscosity  = viscosity;
-    model.convection = convection;
     FluidAssembler     assembler(space, motion, model);
     const unsigned int n_dofs = space.dofs().n_dofs();
     Vector             history(n_dofs), u(n_dofs), direction(n_dofs);
@@ -102,19 +97,23 @@ TEST(NavierStokes, tangent_is_the_derivative_of_the_residual)
   complex.pressure_coefficient     = 0.2;
   complex.stress_limit             = StressLimit::circular;
   complex.limiting_stress          = 3.;
+  // Pressures are between 0 and 2.
+  const LubricantDensity rigid    = {DensityLaw::incompressible};
+  const LubricantDensity liquid   = {DensityLaw::murnaghan, 3., 5.};
+  const LubricantDensity constant = {DensityLaw::constant_modulus, 3.};
   for (const bool convection : {false, true})
     for (const auto &viscosity : {newtonian, complex})
-      {
-        EXPECT_LT(
-          tangent_error(FluidElement::taylor_hood, 2, viscosity, convection),
-          1e-8);
-        EXPECT_LT(
-          tangent_error(FluidElement::equal_order, 1, viscosity, convection),
-          1e-8);
-        EXPECT_LT(
-          tangent_error(FluidElement::equal_order, 2, viscosity, convection),
-          1e-8);
-      }
+      for (const auto &compressibility : {rigid, liquid, constant})
+        {
+          FluidModel model;
+          model.density         = 1.3;
+          model.viscosity       = viscosity;
+          model.convection      = convection;
+          model.compressibility = compressibility;
+          EXPECT_LT(tangent_error(FluidElement::taylor_hood, 2, model), 1e-8);
+          EXPECT_LT(tangent_error(FluidElement::equal_order, 1, model), 1e-8);
+          EXPECT_LT(tangent_error(FluidElement::equal_order, 2, model), 1e-8);
+        }
 }
 
 

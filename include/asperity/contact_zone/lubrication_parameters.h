@@ -25,8 +25,8 @@ namespace asperity
   std::string
   name(const LubricantModel model);
 
-  /** Whether the oil is an incompressible flow in the whole gap, coupled to the
-   *  chip by PartitionedStep. */
+  /** Whether the oil is a flow in the whole gap, coupled to the chip by
+   *  PartitionedStep. */
   bool
   fills_gap(const LubricantModel model);
 
@@ -57,6 +57,8 @@ namespace asperity
     FluidElement    element     = FluidElement::taylor_hood;
     FlowSolverKind  solver      = FlowSolverKind::direct;
 
+    bool compressible = false; ///< by the density law of the oil
+
     void
     declare(ParameterDeclarator &parameters);
   };
@@ -69,8 +71,7 @@ namespace asperity
     double         wetting = 1.;    ///< w, oil over void
     double         film    = 50e-9; ///< of OilAmount::film_thickness [m]
 
-    /** Model `pocket`: gap under which surfaces seal [m]; 0: one connected
-     *  void. */
+    /** Gap under which surfaces seal [m]; 0: one connected void. */
     double sealing_gap = 0.;
 
     /** Film that stays where surfaces touch [m]; models with flow. */
@@ -99,6 +100,10 @@ namespace asperity
     /** Whether there is oil, and as much as the model takes. */
     void
     check_amount(const ParameterDeclarator &parameters) const;
+
+    /** Whether the flow has a density law where it needs one. */
+    void
+    check_flow(const ParameterDeclarator &parameters) const;
 
     /** Columns of more steps, or such that nearly depend on newer ones, mislead
      *  the quasi-Newton iteration where asperities come into contact. */

@@ -28,8 +28,10 @@ namespace asperity
 
   struct GapFlowOptions
   {
-    /** Its density law does not count: the flow is incompressible. */
     LubricantParameters oil;
+
+    /** Whether its density law counts; if not, the flow is incompressible. */
+    bool compressible = false;
 
     /** Whether the oil has inertia: Navier-Stokes; if not, Stokes. */
     bool inertia = true;
@@ -58,19 +60,20 @@ namespace asperity
 
   /**
    * Oil that fills the gap between the top edge of a periodic chip and a rigid
-   * tool at rest above it: incompressible Navier-Stokes or Stokes flow, plane,
-   * per metre of thickness, on a ColumnMesh. The sides of the period are one,
+   * tool at rest above it: Navier-Stokes or Stokes flow, plane, per metre of
+   * thickness, on a ColumnMesh. The sides of the period are one,
    * the tool has no slip, the chip's wall is the interface of a coupled step.
    *
    * With a sealing gap the oil is that of GapPockets, and each pocket has its
-   * own pressure and conserves its volume. What is open is decided at the start
-   * of a step, by the gap there, so that the iterations of the step see one
-   * smooth problem; a column that closes further within the step keeps the
+   * own pressure and conserves its content. What is open is decided at the
+   * start of a step, by the gap there, so that the iterations of the step see
+   * one smooth problem; a column that closes further within the step keeps the
    * sealing gap until its end. Where columns are closed, no oil loads the chip.
    *
    * To the chip it is a dead load, the force that the coupled step has found so
    * far. Since the gap is enclosed, Robin's condition at the chip's wall is
-   * what determines the level of the pressure.
+   * what determines the level of the pressure, or with compressible oil its
+   * density.
    */
   class GapFlow : public Lubricant
   {
@@ -140,8 +143,8 @@ namespace asperity
     const std::optional<GapPockets> &
     pockets() const;
 
-    /** Largest difference between oil and void of a pocket, over all oil, at
-     *  the last accepted step. */
+    /** Largest difference between the oil of a pocket and the integral of its
+     *  density ratio, over all oil, at the last accepted step. */
     double
     volume_error() const;
 
@@ -193,9 +196,9 @@ namespace asperity
     void
     set_tool_velocity();
 
-    /** Void of each column on the present mesh [m^2]. */
+    /** Sums of the columns from values of the cells. */
     std::vector<double>
-    column_voids() const;
+    by_column(const std::vector<double> &of_cells) const;
 
     /** Switches the columns by the present gap. */
     void

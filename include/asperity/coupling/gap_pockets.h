@@ -37,10 +37,11 @@ namespace asperity
     void
     open(const std::vector<double> &gaps);
 
-    /** The oil of a pocket is at one pressure: each column gets the share that
-     *  it has of the pocket's void. @param voids of the columns */
+    /** Each column gets the share of its pocket's oil that it has of what the
+     *  flow found there. @param contents of the columns: their voids, if the
+     *  oil is incompressible */
     void
-    spread(const std::vector<double> &voids);
+    spread(const std::vector<double> &contents);
 
     const std::vector<bool> &
     is_open() const;

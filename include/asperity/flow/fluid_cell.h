@@ -26,6 +26,15 @@ namespace asperity
     double               p;
     double               rate; // of shear
     ViscosityValue       eta;
+
+    // Of a compressible fluid
+    double               r = 1.;
+    dealii::Tensor<1, 2> grad_r;
+    dealii::Tensor<1, 2> b;              // v - w_mesh
+    double               dilation  = 0.; // a_0 + div(v - w_mesh)
+    double               mass_rate = 0.; // a_0 r - r div w_mesh + b.grad r
+    double               r_dot     = 0.; // dr/dt|_X + b.grad r
+    double               excess    = 0.; // e
   };
 
 
@@ -36,15 +45,20 @@ namespace asperity
   {
     static constexpr unsigned int dim = 2;
 
-    Cell(const FluidSpace &space, const MovingMesh &mesh)
+    Cell(const FluidSpace &space,
+         const MovingMesh &mesh,
+         const bool        is_compressible)
       : fe(space.dofs().get_fe())
       , quadrature(fe.degree + 1)
       , stabilised(space.element() == FluidElement::equal_order)
+      , is_compressible(is_compressible)
       , flow(mesh.mapping(), fe, quadrature, flags(stabilised))
       , geometry(mesh.mapping(),
                  space.geometry_dofs().get_fe(),
                  quadrature,
-                 dealii::update_values)
+                 is_compressible ?
+                   dealii::update_values | dealii::update_gradients :
+                   dealii::update_values)
       , n_velocity(fe.base_element(0).n_dofs_per_cell())
       , n_pressure(fe.base_element(1).n_dofs_per_cell())
       , dofs(fe.n_dofs_per_cell())
@@ -57,6 +71,10 @@ namespace asperity
       , grad_p(quadrature.size())
       , grad_v(quadrature.size())
       , p(quadrature.size())
+      , div_w(quadrature.size())
+      , r_history(quadrature.size())
+      , r(n_pressure)
+      , dr(n_pressure)
       , N(n_velocity)
       , g(n_velocity)
       , H(n_velocity)
@@ -96,14 +114,14 @@ namespace asperity
       for (unsigned int k = 0; k < n_pressure; ++k)
         {
           M[k] = flow.shape_value(index[dim][k], q);
-          if (stabilised)
+          if (stabilised || is_compressible)
             m[k] = flow.shape_grad(index[dim][k], q);
         }
     }
 
     const dealii::FiniteElement<2> &fe;
     const dealii::QGauss<2>         quadrature;
-    const bool                      stabilised;
+    const bool                      stabilised, is_compressible;
     dealii::FEValues<2>             flow, geometry;
     const unsigned int              n_velocity, n_pressure;
 
@@ -115,7 +133,8 @@ namespace asperity
 
     std::vector<dealii::Tensor<1, 2>> v, rate, w, grad_p;
     std::vector<dealii::Tensor<2, 2>> grad_v;
-    std::vector<double>               p;
+    std::vector<double>               p, div_w, r_history;
+    std::vector<double>               r, dr; // nodal, and the derivative by p
 
     std::vector<double>               N; // velocity functions
     std::vector<dealii::Tensor<1, 2>> g; // their gradients

@@ -84,6 +84,22 @@ namespace asperity
     void
     add_swept_volume_defect(const BoundaryIds &walls, Vector &R) const;
 
+    /**
+     * Adds to R, for each pressure function q, what the content at the last
+     * times contributes to its rate, with the density ratios r_n and r_{n-1},
+     *   old int_n q r_n + older int_{n-1} q r_{n-1} - m g(q)    [m^2/s],
+     *   g(q) = now int_{n+1} q + old int_n q + older int_{n-1} q
+     *          - int_{n+1} q div w.
+     * g is the error of the rate of the cells' own area: without it a motion of
+     * the mesh would compress a fluid of the uniform ratio m.
+     * @param mean_ratio m, by parts of the space
+     */
+    void
+    add_content_history(const Vector              &r_old,
+                        const Vector              &r_older,
+                        const std::vector<double> &mean_ratio,
+                        Vector                    &R) const;
+
   private:
     bool
     has_inverted_cell() const;

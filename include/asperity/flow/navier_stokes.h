@@ -2,9 +2,8 @@
 #define asperity_flow_navier_stokes_h
 
 #include <asperity/base/convergence_report.h>
-#include <asperity/flow/flow_solver.h>
-#include <asperity/flow/fluid_assembler.h>
 #include <asperity/flow/fluid_boundary.h>
+#include <asperity/flow/fluid_options.h>
 #include <asperity/flow/fluid_schur.h>
 #include <asperity/flow/pressure_level.h>
 #include <asperity/solvers/newton.h>
@@ -16,71 +15,9 @@
 
 namespace asperity
 {
-  enum class FluidTimeScheme
-  {
-    steady,
-    implicit_euler, ///< first order, as in Lee (2025)
-    bdf2            ///< second order; its first step is implicit Euler
-  };
-
-  struct FluidOptions
-  {
-    FluidModel      model;
-    FluidElement    element         = FluidElement::taylor_hood;
-    unsigned int    degree          = 2; ///< of the velocity
-    unsigned int    geometry_degree = 2; ///< of cells and mesh displacement
-    FluidTimeScheme scheme          = FluidTimeScheme::bdf2;
-
-    /** Residual over the sum of the absolute contributions of the cells, for
-     *  momentum and continuity alike. */
-    double       tolerance                 = 1e-9;
-    unsigned int maximum_newton_iterations = 20;
-
-    FlowSolverKind   linear_solver = FlowSolverKind::direct;
-    DirectSolverKind solver        = DirectSolverKind::umfpack; ///< if direct
-    KrylovOptions    krylov;                                    ///< if krylov
-
-    /** Tangents are kept from one solution to the next while each step with
-     *  them reduces the residual to this share or less,
-     *  NewtonOptions::kept_tangent_contraction; 0: never. The flow then depends
-     *  on earlier ones within the tolerance. */
-    double kept_tangent_contraction = 0.;
-
-    /** Net flux over the integral of |v| on the boundary of an enclosed part:
-     *  below it the flux is taken for an error of interpolation and spread over
-     *  the part, above it there is no solution. */
-    double flux_tolerance = 1e-8;
-
-    /** Of enclosed parts [Pa]. */
-    double mean_pressure = 0.;
-  };
-
-  class InputArchive;
-  class OutputArchive;
-
-  /** All that a restart needs. */
-  struct FluidState
-  {
-    double                 time    = 0.; ///< [s]
-    double                 dt      = 0.; ///< of the last step [s]
-    unsigned int           n_steps = 0;  ///< accepted
-    dealii::Vector<double> u, u_old;     ///< at t_n and t_{n-1}
-    dealii::Vector<double> displacement, displacement_old; ///< of the mesh
-    dealii::Vector<double> divergence; ///< at t_n, see NavierStokes
-    std::vector<bool>      active;     ///< cells, by active_cell_index()
-
-    void
-    save(OutputArchive &archive) const;
-
-    /** Takes what save() wrote.
-     *  @throws InputError if vectors are not as long as those of this state */
-    void
-    load(InputArchive &archive);
-  };
-
   /**
-   * The plane incompressible Navier-Stokes or Stokes flow on a moving mesh, per
-   * metre of thickness, in SI units. One step:
+   * The plane Navier-Stokes or Stokes flow of an incompressible or compressible
+   * fluid on a moving mesh, per metre of thickness, in SI units. One step:
    *
    *   flow.begin_step(dt);                    // from the last accepted state
    *   repeat, as often as needed (coupling):
@@ -135,7 +72,8 @@ namespace asperity
     /**
      * Switches cells on and off between two steps, by active_cell_index(); at
      * first all are on. Cells that become part of the flow have the velocity
-     * that the mesh had in the last step as their history. Forgets what
+     * that the mesh had in the last step as their history, and the mean of the
+     * pressures that the part has that they join. Forgets what
      * set_part_volumes() said.
      * @throws InputError as FluidSpace::set_active()
      */
@@ -149,7 +87,9 @@ namespace asperity
      *   int (div v - div w) = a_0 (area wanted - area of the mesh),
      * a_0 = mesh_rate(). Where the walls have the velocity of the fluid, the
      * area is the wanted one. An enclosed part has no solution unless it is by
-     * itself. Empty: none is wanted.
+     * itself. Of a compressible fluid it is the integral of the density ratio
+     * over the part, its volume at p = 0 and the reference temperature, that is
+     * the wanted one. Empty: none is wanted.
      * @throws InputError if there are not as many values as parts
      */
     void
@@ -158,6 +98,14 @@ namespace asperity
     /** Areas of space().parts() on the present mesh [m^2]. */
     std::vector<double>
     part_volumes() const;
+
+    /** The integral of the density ratio over each cell of the space, by
+     *  active_cell_index() [m^2]; zero where it is off. */
+    std::vector<double>
+    cell_contents() const;
+
+    bool
+    is_compressible() const;
 
     // Mesh motion
 
@@ -322,6 +270,24 @@ namespace asperity
     void
     prescribe_inner_walls(std::map<unsigned int, double> &prescribed) const;
 
+    /** Gives the unknowns of cells that were off a history.
+     *  @param was_idle by unknowns */
+    void
+    start_unknowns(const std::vector<bool> &was_idle);
+
+    /** See set_active(). */
+    void
+    start_pressures(const std::vector<bool> &was_idle);
+
+    /** The divergence at t_n of the cells that are on now.
+     *  @param was_active before */
+    void
+    restart_divergence(const std::vector<bool> &was_active);
+
+    /** Sees to wanted_volumes, and to content_source. */
+    void
+    account_for_content();
+
     /** A line of the matrix that no cell has written to gets the diagonal 1. */
     void
     fill_empty_rows();
@@ -329,8 +295,8 @@ namespace asperity
     void
     update_scales();
 
-    /** Continuity residual of the Galerkin method at u: without stabilisation
-     *  and memory. */
+    /** Continuity residual of the Galerkin method at u in the present step:
+     *  without stabilisation and memory. */
     Vector
     galerkin_divergence() const;
 
@@ -364,7 +330,8 @@ namespace asperity
     Vector           u, u_old, u_older; ///< iterate, t_n, t_{n-1}
     Vector           cell_forces;       ///< residual of the cells at u
     Vector           volume_source;     ///< of walls and enclosed parts [m^2/s]
-    Vector           source;     ///< that and the memory of the divergence
+    Vector           content_source;    ///< of a compressible fluid [m^2/s]
+    Vector           source;     ///< those and the memory of the divergence
     Vector           scale;      ///< absolute contributions at u
     Vector           divergence; ///< Galerkin continuity at t_n [m^2/s]
     double           momentum_scale = 0., continuity_scale = 0.;

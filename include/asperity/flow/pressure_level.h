@@ -21,9 +21,11 @@ namespace asperity
                   const MovingMesh    &mesh,
                   const FluidBoundary &boundary);
 
-    /** Looks which parts are enclosed under the present conditions. */
+    /** Looks which parts are enclosed under the present conditions.
+     *  @param is_compressible the fluid's content tells the level: no part has
+     *    an undetermined one */
     void
-    update();
+    update(const bool is_compressible);
 
     bool
     is_undetermined() const;
@@ -53,6 +55,21 @@ namespace asperity
     void
     impose_volumes(const std::vector<double> &volumes, Vector &source) const;
 
+    /**
+     * The same for a compressible fluid. Where a wall slides along a curved
+     * edge of the mesh, the interpolated velocities carry no volume through it
+     * but, with the density, some mass, which is taken back.
+     * @param contents wanted, as volumes of the fluid at p = 0 [m^2]
+     * @param u has the prescribed velocities
+     * @param ratio density ratios by pressure unknowns
+     * @param source with the history of the content
+     */
+    void
+    impose_contents(const std::vector<double> &contents,
+                    const Vector              &u,
+                    const Vector              &ratio,
+                    Vector                    &source) const;
+
     /** Areas of the parts on the present mesh [m^2]. */
     std::vector<double>
     volumes() const;
@@ -70,6 +87,15 @@ namespace asperity
     /** |v| over the outer boundary of each part. */
     std::vector<double>
     integrate_speed(const Vector &u) const;
+
+    /** Of the ratio times (v - w).n, over each part's boundary of prescribed
+     *  velocity. */
+    std::vector<double>
+    integrate_slip(const Vector &u, const Vector &ratio) const;
+
+    /** Spreads over each part what its sum of the source misses. */
+    void
+    impose_sums(const std::vector<double> &sums, Vector &source) const;
 
     /** Integrals of the pressure functions. */
     Vector
