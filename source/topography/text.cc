@@ -114,26 +114,48 @@ namespace asperity
       return map;
     }
 
-    /** A matrix whose first row and column are equally spaced coordinates. */
+    /** Whether the values from the first to the last one are equally spaced,
+     *  and so many that heights hardly would be by chance. */
+    template <class Values>
     bool
-    has_coordinates_at_its_edges(const TextTable &table)
+    are_coordinates(const Values     &value,
+                    const std::size_t first,
+                    const std::size_t end)
     {
-      const auto is_regular = [&](const std::size_t n, const auto &value) {
-        if (n < 5)
+      if (end < first + 6)
+        return false;
+      const double step = value(first + 1) - value(first);
+      for (std::size_t i = first + 1; i < end; ++i)
+        if (!(std::abs(value(i) - value(i - 1) - step) <=
+              1e-3 * std::abs(step)))
           return false;
-        const double step = value(2) - value(1);
-        for (std::size_t i = 2; i < n; ++i)
-          if (!(std::abs(value(i) - value(i - 1) - step) <=
-                1e-3 * std::abs(step)))
-            return false;
-        // The corner does not continue them, as it would on a plane.
-        return step != 0. &&
-               !(std::abs(value(1) - value(0) - step) <= 1e-3 * std::abs(step));
+      return step != 0.;
+    }
+
+    /** Where a matrix has coordinates instead of heights; empty if nowhere. The
+     *  corner does not continue them, or the next line does not go on alike, as
+     *  they would on a plane. */
+    std::string
+    edges_with_coordinates(const TextTable &table)
+    {
+      const std::size_t nx = table.n_columns, ny = table.n_rows();
+      const auto        row = [&](const std::size_t j) {
+        return [&table, j](const std::size_t i) { return table(j, i); };
       };
-      return is_regular(table.n_columns,
-                        [&](const std::size_t i) { return table(0, i); }) &&
-             is_regular(table.n_rows(),
-                        [&](const std::size_t i) { return table(i, 0); });
+      const auto column = [&](const std::size_t i) {
+        return [&table, i](const std::size_t j) { return table(j, i); };
+      };
+      if (are_coordinates(row(0), 1, nx) && !are_coordinates(row(0), 0, nx) &&
+          are_coordinates(column(0), 1, ny) &&
+          !are_coordinates(column(0), 0, ny))
+        return "first row and first column";
+      if (ny > 1 && are_coordinates(row(0), 0, nx) &&
+          !are_coordinates(row(1), 0, nx))
+        return "first row";
+      if (nx > 1 && are_coordinates(column(0), 0, ny) &&
+          !are_coordinates(column(1), 0, ny))
+        return "first column";
+      return "";
     }
 
     /** Refuses what would be heights of something else in a matrix. */
@@ -150,10 +172,11 @@ namespace asperity
                         "), as between two channels; one matrix is expected");
           table.keep_first_block();
         }
-      if (has_coordinates_at_its_edges(table))
+      const std::string edges = edges_with_coordinates(table);
+      if (!edges.empty())
         file.fail("text, matrix",
-                  "has coordinates in its first row and first column; a matrix "
-                  "of heights alone is expected");
+                  "has coordinates in its " + edges +
+                    "; a matrix of heights alone is expected");
     }
 
     void

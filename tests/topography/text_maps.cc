@@ -323,7 +323,34 @@ TEST(TextMaps, coordinates_at_the_edges_of_a_matrix_are_no_heights)
       for (unsigned int i = 0; i < 6; ++i)
         text += "\t" + std::to_string((7 * i + 3 * j) % 5);
     }
-  expect_in("coordinates in its first row", refusal(text));
+  expect_in("coordinates in its first row and first column", refusal(text));
+
+  // Of one edge alone.
+  std::string row, column;
+  for (unsigned int j = 0; j < 7; ++j)
+    {
+      column += std::to_string(0.25 * j);
+      for (unsigned int i = 0; i < 7; ++i)
+        {
+          const std::string height = std::to_string((7 * i + 3 * j) % 5);
+          row += (i > 0 ? "\t" : "") +
+                 (j > 0 ? height : std::to_string(0.5 * (i + 3)));
+          column += "\t" + height;
+        }
+      row += "\n";
+      column += "\n";
+    }
+  expect_in("coordinates in its first row;", refusal(row));
+  expect_in("coordinates in its first column;", refusal(column));
+}
+
+TEST(TextMaps, heights_of_a_plane_are_no_coordinates)
+{
+  std::string text;
+  for (unsigned int j = 0; j < 8; ++j)
+    for (unsigned int i = 0; i < 8; ++i)
+      text += std::to_string(0.5 * i + 0.25 * j) + (i < 7 ? "\t" : "\n");
+  EXPECT_EQ(read(text).nx, 8u);
 }
 
 TEST(TextMaps, header_of_gwyddion_gives_size_and_unit)
