@@ -136,6 +136,22 @@ TEST(SceneAudit, warns_of_waves_and_steps_that_are_too_coarse)
   EXPECT_TRUE(warns(audit, "misses the chip's surface"));
 }
 
+TEST(SceneAudit, warns_of_a_way_that_is_none)
+{
+  SceneParameters parameters = coarse_scene();
+  const Scene     scene(parameters);
+  const double    length = number(audit_scene(parameters, scene),
+                               "time steps across the steepest asperity") *
+                        parameters.load.velocity *
+                        (parameters.protocol.end_time * 0.8 / 10.);
+  const double      end      = parameters.protocol.end_time;
+  const std::string sentence = "less than a fiftieth of the length";
+  parameters.load.velocity   = 0.021 * length / end;
+  EXPECT_FALSE(warns(audit_scene(parameters, scene), sentence));
+  parameters.load.velocity = 0.019 * length / end;
+  EXPECT_TRUE(warns(audit_scene(parameters, scene), sentence));
+}
+
 TEST(SceneAudit, warns_of_a_chip_that_is_a_thin_sheet)
 {
   SceneParameters parameters = coarse_scene();
