@@ -150,6 +150,14 @@ namespace asperity
                           "the void on each side is a pocket with a pressure "
                           "of its own; 0: all voids are connected, with flow "
                           "by the residual film.");
+      parameters.list("Pockets",
+                      pockets,
+                      "um",
+                      Range::between(0., 0.1),
+                      "Models `Stokes` and `Navier-Stokes` with a Sealing gap: "
+                      "which pockets hold oil at the start, by intervals of x, "
+                      "from and to by turns, one in each pocket; the others "
+                      "are dry. Empty: all hold oil.");
       parameters.quantity("Residual film",
                           residual_film,
                           "nm",
@@ -193,6 +201,9 @@ namespace asperity
     options.element          = flow.element;
     options.linear_solver    = flow.solver;
     options.compressible     = flow.compressible;
+    options.wetting          = wetting;
+    for (std::size_t i = 0; i + 1 < pockets.size(); i += 2)
+      options.pockets.emplace_back(pockets[i], pockets[i + 1]);
     return options;
   }
 
@@ -206,7 +217,36 @@ namespace asperity
     check_amount(parameters);
     oil.check(parameters);
     if (fills_gap(model))
-      check_flow(parameters);
+      {
+        check_flow(parameters);
+        check_pockets(parameters);
+      }
+  }
+
+
+
+  void
+  LubricationParameters::check_pockets(
+    const ParameterDeclarator &parameters) const
+  {
+    const auto refuse = [&](const std::string &what) {
+      throw InputError(parameters.where("Lubrication/Pockets") + ": found " +
+                       what);
+    };
+    if (pockets.empty())
+      return;
+    if (sealing_gap == 0.)
+      refuse("intervals without a Sealing gap, so that all voids are one; "
+             "expected a Sealing gap, or nothing.");
+    if (pockets.size() % 2 == 1)
+      refuse(std::to_string(pockets.size()) +
+             " values; expected two for each interval, from and to.");
+    for (std::size_t i = 1; i < pockets.size(); ++i)
+      if (pockets[i] <= pockets[i - 1])
+        refuse(format_quantity(pockets[i], "um") + " behind " +
+               format_quantity(pockets[i - 1], "um") +
+               "; expected increasing values, so that no interval is empty or "
+               "overlaps another one.");
   }
 
 
@@ -248,11 +288,11 @@ namespace asperity
                        ", but the model `" + name(model) +
                        "` fills the void with oil; expected part of void at "
                        "start, or the model `pocket` or `Reynolds`.");
-    if (fills_gap(model) && wetting != 1.)
+    if (fills_gap(model) && wetting != 1. && sealing_gap == 0.)
       throw InputError(parameters.where("Lubrication/Wetting") + ": found " +
                        format_number(wetting) + ", but the model `" +
                        name(model) +
-                       "` fills the void with oil; expected 1, or the model "
-                       "`pocket` or `Reynolds`.");
+                       "` fills the void with oil; expected 1, a Sealing gap, "
+                       "or the model `pocket` or `Reynolds`.");
   }
 } // namespace asperity

@@ -68,6 +68,7 @@ namespace asperity
                 "Lubrication/Wetting",
                 "Lubrication/Oil film",
                 "Lubrication/Sealing gap",
+                "Lubrication/Pockets",
                 "Lubrication/Residual film",
                 oil},
                any,
@@ -82,6 +83,12 @@ namespace asperity
                "the lubricant models pocket, Stokes and Navier-Stokes",
                [](const SceneParameters &p) {
                  return is_one_of(p, {LubricantModel::pocket}) || fills(p);
+               }},
+              {{"Lubrication/Pockets"},
+               "the lubricant models Stokes and Navier-Stokes with a Sealing "
+               "gap",
+               [](const SceneParameters &p) {
+                 return fills(p) && p.lubrication.sealing_gap > 0.;
                }},
               {{"Lubrication/Residual film"}, viscous, shears},
               {{"Lubrication/Residual film"},

@@ -92,8 +92,8 @@ namespace asperity
       warnings.push_back(
         "Where the gap is below " +
         format_quantity(parameters.lubrication.sealing_gap, "nm") +
-        " (Lubrication/Sealing gap) the oil is sealed and carries nothing; mu "
-        "depends on this gap: vary it.");
+        " (Lubrication/Sealing gap) the oil does not flow, and has the pressure "
+        "of the pocket beside it; mu depends on this gap: vary it.");
     if (fills_gap(model) && parameters.lubrication.sealing_gap > 0. &&
         !parameters.lubrication.flow.compressible)
       warnings.push_back(

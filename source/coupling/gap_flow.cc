@@ -99,9 +99,42 @@ namespace asperity
     if (report.converged)
       {
         gap.set_tool_velocity();
-        report = AleFluid::solve(condition, response);
+        if (gap.flow_.space().cells().empty())
+          report = rest(response);
+        else
+          {
+            if (gap.pockets_)
+              gap.flow_.set_part_volumes(gap.oil_of_parts());
+            report = AleFluid::solve(condition, response);
+          }
+      }
+    if (report.converged && gap.pockets_)
+      {
+        gap.column_pressures = gap.find_column_pressures();
+        const NodalVectors seals =
+          gap.flow_.boundary().nodes(chip_wall).extract(gap.seal_forces());
+        for (unsigned int i = 0; i < response.force.size(); ++i)
+          response.force(i) += seals[i / 2][i % 2];
+        report.reason    = gap.overfilled();
+        report.converged = report.reason.empty();
       }
     gap.seconds_ += timer.wall_time();
+    return report;
+  }
+
+
+
+  ConvergenceReport
+  GapFlow::Side::rest(WallResponse &response)
+  {
+    const NodalVectors w = gap.flow_.wall_mesh_velocity(chip_wall);
+    response.force.reinit(2 * w.size());
+    response.velocity.reinit(2 * w.size());
+    for (unsigned int i = 0; i < response.velocity.size(); ++i)
+      response.velocity(i) = w[i / 2][i % 2];
+    response.wall_velocity = response.velocity;
+    ConvergenceReport report;
+    report.converged = true;
     return report;
   }
 
@@ -124,6 +157,7 @@ namespace asperity
     , load_(interface_)
     , force(2 * interface_.n_points())
     , tool_numbers(numbers_from_left(ColumnMesh::tool_wall, mesh_.tool_nodes()))
+    , density(make_fluid(options).model.compressibility)
   {
     load_.set_force(force);
     find_wall_pressures();
@@ -142,14 +176,7 @@ namespace asperity
     state_.smallest_film    = mesh_.film().smallest_gap;
     state_.n_pockets        = 1;
     if (options.sealing_gap > 0.)
-      {
-        pockets_.emplace(by_column(flow_.cell_contents()), options.sealing_gap);
-        switch_columns();
-        if (pockets_->n_pockets() == 0)
-          throw InputError("The oil has no room to flow, since the gap is "
-                           "nowhere wider than the sealing gap at the start.");
-        state_.n_pockets = pockets_->n_pockets();
-      }
+      fill_pockets(options);
     else if (options.compressible)
       flow_.set_part_volumes({initial_volume});
     set_tool_velocity();
@@ -336,6 +363,7 @@ namespace asperity
       return;
     chip = u;
     mesh_.update(chip_curve(), {});
+    flow_.set_mesh_displacement(mesh_displacement());
     switch_columns();
   }
 

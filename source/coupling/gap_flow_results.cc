@@ -16,16 +16,24 @@ namespace asperity
   void
   GapFlow::accept(const Vector &)
   {
-    const auto [pressure_force, max_pressure] = integrate_pressure();
-    state_.pressure_force                     = pressure_force;
-    state_.shear_force =
-      flow_.total_wall_force({ColumnMesh::chip_wall}) - pressure_force;
-    state_.mean_pressure = -pressure_force[1] / length;
-    state_.max_pressure  = max_pressure;
-    state_.void_volume   = flow_.volume();
-    state_.oil_volume    = state_.void_volume;
+    const auto [flow_force, max_pressure] = integrate_pressure();
+    state_.pressure_force                 = flow_force;
+    state_.shear_force                    = Tensor<1, 2>();
+    if (!flow_.space().cells().empty())
+      state_.shear_force =
+        flow_.total_wall_force({ColumnMesh::chip_wall}) - flow_force;
+    state_.void_volume = flow_.volume();
+    state_.oil_volume  = state_.void_volume;
     if (pockets_)
-      account_for_oil();
+      {
+        for (const Tensor<1, 2> &f : flow_.boundary()
+                                       .nodes({ColumnMesh::chip_wall})
+                                       .extract(seal_forces()))
+          state_.pressure_force += f;
+        account_for_oil();
+      }
+    state_.mean_pressure       = -state_.pressure_force[1] / length;
+    state_.max_pressure        = max_pressure;
     state_.smallest_film       = mesh_.film().smallest_gap;
     state_.coupling_iterations = n_solutions;
   }
@@ -47,7 +55,7 @@ namespace asperity
     std::vector<double>                      p(quadrature.size());
     Tensor<1, 2>                             force;
     double                                   largest = 0.;
-    for (const auto &cell : flow_.space().dofs().active_cell_iterators())
+    for (const auto &cell : flow_.space().cells())
       for (const unsigned int f : cell->face_indices())
         if (cell->at_boundary(f) &&
             cell->face(f)->boundary_id() == ColumnMesh::chip_wall)
@@ -77,12 +85,16 @@ namespace asperity
   double
   GapFlow::pressure(const double parameter) const
   {
-    const auto   above = std::find_if(wall_pressures.begin() + 1,
+    const auto above = std::find_if(wall_pressures.begin() + 1,
                                     wall_pressures.end() - 1,
                                     [parameter](const auto &node) {
                                       return node.first > parameter;
                                     });
-    const auto   below = above - 1;
+    const auto below = above - 1;
+    // Columns lie between the vertices of the wall.
+    const unsigned int column = below - wall_pressures.begin();
+    if (pockets_ && !pockets_->is_flowing()[column])
+      return column_pressures[column];
     const double weight =
       (parameter - below->first) / (above->first - below->first);
     const Vector &u = flow_.solution();

@@ -6,28 +6,42 @@
 
 namespace asperity
 {
-  GapPockets::GapPockets(const std::vector<double> &voids,
+  GapPockets::GapPockets(const std::vector<double> &oil,
                          const double               sealing_gap)
     : sealing_gap(sealing_gap)
-    , oil_(voids)
-    , open_(voids.size(), true)
-    , pocket_(voids.size())
+    , oil_(oil)
+    , open_(oil.size(), true)
+    , flowing(oil.size(), true)
+    , pocket_(oil.size())
+    , neighbour(oil.size())
+    , full(1, true)
   {
-    number_pockets();
+    std::iota(neighbour.begin(), neighbour.end(), 0);
   }
 
 
 
   void
-  GapPockets::open(const std::vector<double> &gaps)
+  GapPockets::open(const std::vector<double> &gaps,
+                   const std::vector<double> &voids)
   {
-    for (unsigned int i = 0; i < gaps.size(); ++i)
+    const unsigned int n = open_.size();
+    for (unsigned int i = 0; i < n; ++i)
       open_[i] = gaps[i] >= sealing_gap;
     for (const Run &run : open_runs())
       if (run.end - run.first < smallest_run)
         for (unsigned int i = run.first; i < run.end; ++i)
-          open_[i % open_.size()] = false;
-    number_pockets();
+          open_[i % n] = false;
+    number_pockets(gaps);
+    std::vector<double> room(full.size());
+    for (unsigned int i = 0; i < n; ++i)
+      if (pocket_[i] != none)
+        room[pocket_[i]] += voids[i];
+    const std::vector<double> amounts = oil();
+    for (unsigned int k = 0; k < full.size(); ++k)
+      full[k] = amounts[k] >= (1. - slack) * room[k];
+    for (unsigned int i = 0; i < n; ++i)
+      flowing[i] = open_[i] && full[pocket_[i]];
   }
 
 
@@ -54,14 +68,36 @@ namespace asperity
 
 
   void
-  GapPockets::number_pockets()
+  GapPockets::number_pockets(const std::vector<double> &gaps)
   {
-    n_pockets_ = 0;
-    for (const Run &run : open_runs())
+    const unsigned int     n    = open_.size();
+    const std::vector<Run> runs = open_runs();
+    full.assign(runs.size(), true);
+    pocket_.assign(n, none);
+    neighbour.assign(n, none);
+    const auto belongs =
+      [&](const unsigned int i, const unsigned int k, const unsigned int to) {
+        pocket_[i % n]   = k;
+        neighbour[i % n] = to % n;
+      };
+    for (unsigned int k = 0; k < runs.size(); ++k)
       {
-        for (unsigned int i = run.first; i < run.end; ++i)
-          pocket_[i % open_.size()] = n_pockets_;
-        ++n_pockets_;
+        for (unsigned int i = runs[k].first; i < runs[k].end; ++i)
+          belongs(i, k, i);
+        // The seal behind the run, up to its narrowest column and beyond.
+        const unsigned int next = (k + 1) % runs.size();
+        unsigned int       end  = runs[k].end;
+        while (!open_[end % n])
+          ++end;
+        unsigned int narrowest = runs[k].end;
+        for (unsigned int i = narrowest; i < end; ++i)
+          if (gaps[i % n] < gaps[narrowest % n])
+            narrowest = i;
+        for (unsigned int i = runs[k].end; i < end; ++i)
+          if (i <= narrowest)
+            belongs(i, k, runs[k].end - 1);
+          else
+            belongs(i, next, runs[next].first);
       }
   }
 
@@ -70,22 +106,22 @@ namespace asperity
   void
   GapPockets::spread(const std::vector<double> &contents)
   {
-    std::vector<double> sum(n_pockets_);
+    std::vector<double> sum(full.size());
     for (unsigned int i = 0; i < contents.size(); ++i)
-      if (open_[i])
+      if (pocket_[i] != none)
         sum[pocket_[i]] += contents[i];
-    const std::vector<double> pocket_oil = oil();
+    const std::vector<double> amounts = oil();
     for (unsigned int i = 0; i < contents.size(); ++i)
-      if (open_[i])
-        oil_[i] = pocket_oil[pocket_[i]] * contents[i] / sum[pocket_[i]];
+      if (pocket_[i] != none)
+        oil_[i] = amounts[pocket_[i]] * contents[i] / sum[pocket_[i]];
   }
 
 
 
   const std::vector<bool> &
-  GapPockets::is_open() const
+  GapPockets::is_flowing() const
   {
-    return open_;
+    return flowing;
   }
 
 
@@ -93,7 +129,7 @@ namespace asperity
   unsigned int
   GapPockets::n_pockets() const
   {
-    return n_pockets_;
+    return full.size();
   }
 
 
@@ -106,26 +142,46 @@ namespace asperity
 
 
 
+  unsigned int
+  GapPockets::open_neighbour(const unsigned int column) const
+  {
+    return neighbour[column];
+  }
+
+
+
+  bool
+  GapPockets::is_full(const unsigned int pocket) const
+  {
+    return full[pocket];
+  }
+
+
+
   std::vector<double>
   GapPockets::oil() const
   {
-    std::vector<double> sums(n_pockets_);
+    std::vector<double> sums(full.size());
     for (unsigned int i = 0; i < oil_.size(); ++i)
-      if (open_[i])
+      if (pocket_[i] != none)
         sums[pocket_[i]] += oil_[i];
     return sums;
   }
 
 
 
-  double
-  GapPockets::sealed_oil() const
+  const std::vector<double> &
+  GapPockets::amounts() const
   {
-    double sum = 0.;
-    for (unsigned int i = 0; i < oil_.size(); ++i)
-      if (!open_[i])
-        sum += oil_[i];
-    return sum;
+    return oil_;
+  }
+
+
+
+  double
+  GapPockets::total() const
+  {
+    return std::accumulate(oil_.begin(), oil_.end(), 0.);
   }
 
 
@@ -133,7 +189,7 @@ namespace asperity
   void
   GapPockets::save(OutputArchive &archive) const
   {
-    archive << oil_ << open_;
+    archive << oil_ << open_ << flowing << pocket_ << neighbour << full;
   }
 
 
@@ -142,7 +198,9 @@ namespace asperity
   GapPockets::load(InputArchive &archive)
   {
     archive >> fixed_length(oil_, "columns of oil") >>
-      fixed_length(open_, "open columns of oil");
-    number_pockets();
+      fixed_length(open_, "open columns of oil") >>
+      fixed_length(flowing, "columns that oil flows in") >>
+      fixed_length(pocket_, "pockets of columns") >>
+      fixed_length(neighbour, "neighbours of columns") >> full;
   }
 } // namespace asperity

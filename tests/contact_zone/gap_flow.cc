@@ -1,53 +1,10 @@
-#include <asperity/base/errors.h>
-
-#include <deal.II/base/parameter_handler.h>
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "scene_examples.h"
+#include "flooded_scene.h"
 
 using namespace asperity;
-
-namespace
-{
-  /** A rough chip below the tool of R0, the gap full of oil. */
-  SceneParameters
-  flooded_scene()
-  {
-    SceneParameters parameters   = coarse_scene();
-    parameters.chip.kind         = SurfaceKind::harmonics;
-    parameters.chip.wave_numbers = {2, 3, 5};
-    parameters.chip.amplitudes   = {0.03e-6, 0.03e-6, 0.02e-6};
-    parameters.chip.phases       = {1, 2, 3};
-    // Wide enough for the surfaces never to touch.
-    parameters.geometry.initial_gap  = 0.1e-6;
-    parameters.protocol.inertia      = Inertia::dynamic;
-    parameters.lubrication.model     = LubricantModel::navier_stokes;
-    parameters.lubrication.mesh.rows = 2;
-    return parameters;
-  }
-
-  /** Whatever is wrong, as the user reads it. */
-  std::string
-  complaint(SceneParameters parameters)
-  {
-    dealii::ParameterHandler handler;
-    ParameterDeclarator      declarator(handler);
-    SceneParameters          declared;
-    declared.declare(declarator);
-    try
-      {
-        parameters.check(declarator);
-      }
-    catch (const InputError &error)
-      {
-        return error.what();
-      }
-    return "";
-  }
-} // namespace
 
 // The coupled step leaves chip, oil and tool in balance: in generalized-alpha,
 // with the mass m of the chip and its mean vertical acceleration a,
@@ -199,38 +156,6 @@ TEST(GapFlow, other_schemes_and_elements_converge_to_the_same)
   EXPECT_LT(difference(equal_order, 1, 2), 0.5 * difference(equal_order, 1, 1));
 }
 
-// Where the surfaces are nearer than the sealing gap the oil is cut. Its amount
-// stays the same to round-off, and the content of each pocket is that of its
-// oil to what the iterations between chip and oil leave.
-TEST(GapFlow, falls_into_pockets_that_keep_their_oil)
-{
-  SceneParameters parameters         = flooded_scene();
-  parameters.geometry.initial_gap    = 0.002e-6;
-  parameters.lubrication.sealing_gap = 20e-9;
-  for (const auto &[tolerance, compressible] :
-       {std::pair{1e-5, false}, {1e-7, false}, {1e-5, true}})
-    {
-      SCOPED_TRACE(compressible);
-      parameters.lubrication.coupling.tolerance = tolerance;
-      parameters.lubrication.flow.compressible  = compressible;
-      Scene        scene(parameters);
-      SlidingRun   run(parameters, scene);
-      const double start = scene.gap_flow->state().reference_volume;
-      EXPECT_LT(scene.gap_flow->flow().volume(), start);
-      run.run(
-        [&, limit = tolerance, changes = compressible](const SlidingRun &) {
-          const LubricantState state = scene.gap_flow->state();
-          EXPECT_NEAR(state.reference_volume, start, 1e-12 * start);
-          if (!changes)
-            {
-              EXPECT_NEAR(state.oil_volume, start, 1e-12 * start);
-            }
-          EXPECT_LT(scene.gap_flow->volume_error(), limit);
-          EXPECT_GE(state.n_pockets, 1U);
-        });
-    }
-}
-
 // All of the void is one pocket, in which the slow flow hardly makes
 // differences of the pressure after the load's ramp: it is that of the mean
 // density.
@@ -276,22 +201,6 @@ TEST(GapFlow, compressible_oil_allows_dirichlet_neumann_coupling)
     {
       EXPECT_NEAR(rows[1][i].time / rows[0][i].time, 1., 1e-12);
       EXPECT_NEAR(rows[1][i].oil_pressure / rows[0][i].oil_pressure, 1., 1e-4);
-    }
-}
-
-TEST(GapFlow, says_that_the_oil_has_no_room)
-{
-  SceneParameters parameters         = flooded_scene();
-  parameters.lubrication.sealing_gap = 5e-6;
-  try
-    {
-      const Scene scene(parameters);
-      FAIL();
-    }
-  catch (const InputError &error)
-    {
-      EXPECT_NE(std::string(error.what()).find("no room to flow"),
-                std::string::npos);
     }
 }
 

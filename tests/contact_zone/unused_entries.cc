@@ -139,6 +139,7 @@ TEST(UnusedEntries, of_every_subsection_are_used_somewhere)
      {"Lubricant/Pressure law", "Barus"},
      {"Lubricant/Temperature law", "Roelands"}},
     {{"Lubrication/Model", "Stokes"},
+     {"Lubrication/Sealing gap", "20 nm"},
      {"Lubricant/Pressure law", "Roelands"},
      {"Protocol/Friction window", "steady"},
      {"Contact/Augmentations", "2"},

@@ -74,6 +74,11 @@ namespace asperity
     /** Gap under which surfaces seal [m]; 0: one connected void. */
     double sealing_gap = 0.;
 
+    /** Intervals of x, from and to by turns, in each of which lies a pocket
+     * that holds oil at the start; models that fill the gap, with a sealing gap
+     *  [m]. */
+    std::vector<double> pockets;
+
     /** Film that stays where surfaces touch [m]; models with flow. */
     double residual_film = 5e-9;
 
@@ -100,6 +105,10 @@ namespace asperity
     /** Whether there is oil, and as much as the model takes. */
     void
     check_amount(const ParameterDeclarator &parameters) const;
+
+    /** Whether intervals begin before they end, and do not overlap. */
+    void
+    check_pockets(const ParameterDeclarator &parameters) const;
 
     /** Whether the flow has a density law where it needs one. */
     void

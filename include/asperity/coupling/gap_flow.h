@@ -43,6 +43,14 @@ namespace asperity
      *  [m]; 0: none is, and the gap is one. */
     double sealing_gap = 0.;
 
+    /** With a sealing gap: oil over void at the start, in the pockets that
+     *  hold any. */
+    double wetting = 1.;
+
+    /** With a sealing gap: intervals of x [m] that lie in the pockets that hold
+     *  oil at the start, one in each; empty: all do. */
+    std::vector<std::pair<double, double>> pockets;
+
     unsigned int columns_per_span = 1; ///< of the chip's edge
     unsigned int rows             = 2; ///< between chip and tool
 
@@ -68,7 +76,11 @@ namespace asperity
    * own pressure and conserves its content. What is open is decided at the
    * start of a step, by the gap there, so that the iterations of the step see
    * one smooth problem; a column that closes further within the step keeps the
-   * sealing gap until its end. Where columns are closed, no oil loads the chip.
+   * sealing gap until its end. The oil of a seal has the pressure of its
+   * pocket's flow beside it, and loads the chip with it: columns open and close
+   * without a jump of the load. A pocket that is not full is still and has no
+   * pressure; a step in which it would be overfilled is refused, so that a
+   * shorter one finds the moment at which it fills.
    *
    * To the chip it is a dead load, the force that the coupled step has found so
    * far. Since the gap is enclosed, Robin's condition at the chip's wall is
@@ -176,6 +188,10 @@ namespace asperity
       solve(const WallCondition &condition, WallResponse &response) override;
 
     private:
+      /** Without a full pocket there is no flow. */
+      ConvergenceReport
+      rest(WallResponse &response);
+
       GapFlow &gap;
     };
 
@@ -200,17 +216,51 @@ namespace asperity
     std::vector<double>
     by_column(const std::vector<double> &of_cells) const;
 
+    /** Void of each column between the present chip and the tool, without what
+     *  the mesh is lifted by [m^2]. */
+    std::vector<double>
+    column_voids() const;
+
+    /** Which columns hold oil at the start.
+     *  @throws InputError if an interval is not within one pocket */
+    std::vector<bool>
+    find_wet_columns(
+      const GapPockets                             &empty,
+      const std::vector<std::pair<double, double>> &intervals) const;
+
+    /** The oil at the start. */
+    void
+    fill_pockets(const GapFlowOptions &options);
+
     /** Switches the columns by the present gap. */
     void
     switch_columns();
+
+    /** Mean pressure in each column, in seals that of the flow beside. */
+    std::vector<double>
+    find_column_pressures() const;
+
+    /** The same as ratios of densities. */
+    std::vector<double>
+    column_ratios() const;
+
+    /** Why the present void contradicts the still pockets; or empty. */
+    std::string
+    overfilled() const;
 
     /** The oil at the end of an accepted step. */
     void
     account_for_oil();
 
-    /** By the parts of the flow, which are numbered otherwise than pockets. */
+    /** What is left for the flow beside the seals, by the parts of the flow,
+     *  which are numbered otherwise than pockets. */
     std::vector<double>
     oil_of_parts() const;
+
+    /** Integrals of the pressure in seals times the velocity functions times n,
+     *  over the chip's wall, by unknowns of the flow [N/m]. */
+    Vector
+    seal_forces() const;
 
     /** Of the present chip. */
     SplineCurve
@@ -224,7 +274,8 @@ namespace asperity
     void
     make_elastic_update(const double stiffening);
 
-    /** The integral of p n over the chip's wall, and the largest p. */
+    /** The integral of the flow's p n over the chip's wall, and the largest
+     *  p. */
     std::pair<dealii::Tensor<1, 2>, double>
     integrate_pressure() const;
 
@@ -249,7 +300,9 @@ namespace asperity
      *  the last is the image of the first one. */
     std::vector<std::pair<double, unsigned int>> wall_pressures;
 
+    LubricantDensity          density; ///< incompressible unless it counts
     std::optional<GapPockets> pockets_;
+    std::vector<double>       column_pressures; ///< of the last solution
     double                    volume_error_ = 0.;
 
     double         initial_volume = 0.;

@@ -99,6 +99,10 @@ namespace asperity
     std::vector<double>
     part_volumes() const;
 
+    /** Area of each cell, on or off, by active_cell_index() [m^2]. */
+    std::vector<double>
+    cell_areas() const;
+
     /** The integral of the density ratio over each cell of the space, by
      *  active_cell_index() [m^2]; zero where it is off. */
     std::vector<double>
