@@ -45,7 +45,7 @@ namespace asperity
        {"Dirichlet-Neumann", CouplingScheme::dirichlet_neumann}},
       "`Robin-Neumann`: the fluid may cross its wall until the iteration "
       "has converged; `Dirichlet-Neumann`: the fluid has the velocity "
-      "of its wall, impossible in sealed pockets.");
+      "of its wall, impossible where incompressible fluid is sealed.");
     d.quantity("Robin coefficient",
                robin_coefficient,
                "Pa s/m",
