@@ -1,5 +1,7 @@
 #include <asperity/base/errors.h>
 #include <asperity/contact_zone/surface.h>
+#include <asperity/isogeometric/edge_trace.h>
+#include <asperity/isogeometric/spline_manifold.h>
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
@@ -90,7 +92,8 @@ namespace asperity
       return body;
     }
 
-    /** From (s, Y), s = 0 on the tool and 1 on the edge of the chip's patch. */
+    /** Inside, from (s, Y), s = 0 on the tool and 1 on the edge of the chip's
+     *  patch. */
     class BetweenSurfaces : public dealii::ChartManifold<2, 2>
     {
     public:
@@ -139,6 +142,21 @@ namespace asperity
       PatchGeometry                      patch;
     };
 
+    /** Y -> (-s(Y), Y) */
+    SplineCurve
+    upright(const SplineCurve &surface)
+    {
+      std::vector<Point<2>> points;
+      for (const Point<2> &point : surface.control_points())
+        points.emplace_back(-point[1], point[0]);
+      Tensor<1, 2> period;
+      period[1] = surface.period()[0];
+      return SplineCurve(surface.knot_vector(),
+                         points,
+                         surface.weights(),
+                         period);
+    }
+
     void
     make_mesh(const FluidParameters    &fluid,
               const Geometry           &geometry,
@@ -154,8 +172,14 @@ namespace asperity
         true);
       dealii::GridTools::transform(
         [&](const Point<2> &s) { return between.push_forward(s); }, mesh);
-      mesh.set_all_manifold_ids(0);
-      mesh.set_manifold(0, between);
+      constexpr dealii::types::manifold_id inside = 10;
+      mesh.set_all_manifold_ids(inside);
+      mesh.set_manifold(inside, between);
+      set_spline_wall(mesh, tool_side, upright(geometry.tool.curve));
+      set_spline_wall(mesh,
+                      chip_side,
+                      EdgeTrace(*body.space->hierarchy(), Edge::top)
+                        .curve(body.geometry.offset));
       mesh.refine_global(fluid.refinements);
     }
   } // namespace

@@ -1,3 +1,5 @@
+#include <asperity/base/errors.h>
+#include <asperity/base/quantity.h>
 #include <asperity/isogeometric/spline_manifold.h>
 
 namespace asperity
@@ -48,5 +50,34 @@ namespace asperity
   SplineManifold::curve() const
   {
     return closest_point->curve();
+  }
+
+
+
+  void
+  set_spline_wall(dealii::Triangulation<2>        &mesh,
+                  const dealii::types::boundary_id wall,
+                  const SplineCurve               &curve)
+  {
+    const SplineManifold manifold(curve);
+    for (const auto &face : mesh.active_face_iterators())
+      {
+        if (!face->at_boundary() || face->boundary_id() != wall)
+          continue;
+        for (const unsigned int v : face->vertex_indices())
+          {
+            const dealii::Point<2> X = face->vertex(v);
+            const double           distance =
+              X.distance(manifold.push_forward(manifold.pull_back(X)));
+            if (distance > 1e-6 * face->diameter())
+              throw InputError("A vertex of a mesh at (" + format_number(X[0]) +
+                               ", " + format_number(X[1]) + ") m is " +
+                               format_number(distance) +
+                               " m off the spline of its wall; expected one "
+                               "on it.");
+          }
+        face->set_manifold_id(wall);
+      }
+    mesh.set_manifold(wall, manifold);
   }
 } // namespace asperity

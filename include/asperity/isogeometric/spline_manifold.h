@@ -6,6 +6,7 @@
 
 #include <deal.II/base/point.h>
 #include <deal.II/grid/manifold.h>
+#include <deal.II/grid/tria.h>
 
 #include <memory>
 
@@ -18,8 +19,8 @@ namespace asperity
    * a periodic curve the parameter goes on from turn to turn, so that a mesh
    * over one period needs no seam.
    *
-   * Use it for boundary faces only; cells next to them need a
-   * TransfiniteInterpolationManifold or a flat interior.
+   * Use it for boundary faces only, see set_spline_wall(); cells next to them
+   * need a manifold of their own or a flat interior.
    */
   class SplineManifold : public dealii::ChartManifold<2, 2, 1>
   {
@@ -45,6 +46,18 @@ namespace asperity
     /** Shared by clones: it does not change. */
     std::shared_ptr<const ClosestPoint> closest_point;
   };
+
+  /**
+   * Makes a boundary of a mesh a piece of a curve: nodes that refinement or a
+   * mapping of high degree puts on its faces lie on the curve. The manifold
+   * takes the boundary's id as its own.
+   * @param wall its vertices must lie on the curve already
+   * @throws InputError if one does not, by more than 1e-6 of its face's length
+   */
+  void
+  set_spline_wall(dealii::Triangulation<2>        &mesh,
+                  const dealii::types::boundary_id wall,
+                  const SplineCurve               &curve);
 } // namespace asperity
 
 #endif
