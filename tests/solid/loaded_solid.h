@@ -2,6 +2,7 @@
 #define asperity_tests_solid_loaded_solid_h
 
 #include <asperity/constitutive/material_parameters.h>
+#include <asperity/isogeometric/element_view.h>
 #include <asperity/solid/edge_load.h>
 #include <asperity/solid/equilibrium.h>
 #include <asperity/solid/solid_assembler.h>
@@ -77,6 +78,15 @@ namespace loaded_solid
     for (double &x : u)
       x = uniform(generator);
     return u;
+  }
+
+  inline NewtonOptions
+  newton_options(const double tolerance)
+  {
+    NewtonOptions options;
+    options.tolerance          = tolerance;
+    options.maximum_iterations = 40;
+    return options;
   }
 
   /** A patch of any shape, its law, supports, loads and Newton's method. */
@@ -170,10 +180,10 @@ namespace loaded_solid
     ConvergenceReport
     newton_from(Vector &start, const double tolerance)
     {
-      NewtonOptions options;
-      options.tolerance          = tolerance;
-      options.maximum_iterations = 40;
-      return newton(equilibrium(), start, options, statistics);
+      return newton(equilibrium(),
+                    start,
+                    newton_options(tolerance),
+                    statistics);
     }
 
     /** Moves u to equilibrium with the load and takes over the history.
@@ -225,17 +235,27 @@ namespace loaded_solid
                  Vector                                              &external)
   {
     const BasisTable &table = solid.table();
-    for (const auto &element : table.elements)
-      for (unsigned int q = 0; q < table.points_per_element; ++q)
-        {
-          const unsigned int point = element.first_point + q;
-          const auto         f     = force(table.position[point]);
-          const unsigned int n     = element.functions.size();
-          for (unsigned int a = 0; a < n; ++a)
-            for (unsigned int c = 0; c < 2; ++c)
-              external(2 * element.functions[a] + c) +=
-                f[c] * element.values[q * n + a] * table.JxW[point];
-        }
+    for (const auto &entry : table.elements)
+      {
+        const ElementView element(table, entry);
+        for (unsigned int q = 0; q < table.points_per_element; ++q)
+          element.add_force(q,
+                            element.JxW(q) *
+                              force(table.position[element.point(q)]),
+                            external);
+      }
+  }
+
+  /** Adds the gradient of a displacement to G [-]. */
+  inline void
+  add_gradient(const ElementView &element,
+               const unsigned int q,
+               const Vector      &u,
+               Tensor<2, 2>      &G)
+  {
+    for (unsigned int a = 0; a < element.n_functions(); ++a)
+      for (unsigned int c = 0; c < 2; ++c)
+        G[c] += u(element.dof(a, c)) * element.gradient(q, a);
   }
 
   /** Largest difference between the tangent of a term times a direction and

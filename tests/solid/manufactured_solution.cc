@@ -100,23 +100,20 @@ namespace
                      body.geometry,
                      dealii::QGauss<2>(body.space->degree() + 3));
     Errors e;
-    for (const auto &element : table.elements)
-      for (unsigned int q = 0; q < table.points_per_element; ++q)
-        {
-          const unsigned int point = element.first_point + q;
-          const unsigned int n     = element.functions.size();
-          Tensor<1, 2>       u     = -Solution::value(table.position[point]);
-          Tensor<2, 2>       G     = -Solution::gradient(table.position[point]);
-          for (unsigned int a = 0; a < n; ++a)
-            for (unsigned int c = 0; c < 2; ++c)
-              {
-                const double U = body.u(2 * element.functions[a] + c);
-                u[c] += element.values[q * n + a] * U;
-                G[c] += element.gradients[q * n + a] * U;
-              }
-          e.L2 += u.norm_square() * table.JxW[point];
-          e.H1 += G.norm_square() * table.JxW[point];
-        }
+    for (const auto &entry : table.elements)
+      {
+        const ElementView element(table, entry);
+        for (unsigned int q = 0; q < table.points_per_element; ++q)
+          {
+            const Point<2> X = table.position[element.point(q)];
+            Tensor<1, 2>   u = -Solution::value(X);
+            Tensor<2, 2>   G = -Solution::gradient(X);
+            element.add_displacement(q, body.u, u);
+            add_gradient(element, q, body.u, G);
+            e.L2 += u.norm_square() * element.JxW(q);
+            e.H1 += G.norm_square() * element.JxW(q);
+          }
+      }
     return {std::sqrt(e.L2), std::sqrt(e.H1)};
   }
 

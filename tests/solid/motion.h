@@ -1,7 +1,7 @@
 #ifndef asperity_tests_solid_motion_h
 #define asperity_tests_solid_motion_h
 
-#include <asperity/time_integration/generalized_alpha.h>
+#include <asperity/solid/solid_step.h>
 
 #include "loaded_solid.h"
 
@@ -12,14 +12,10 @@ namespace loaded_solid
   {
   public:
     Motion(Body &body, const double rho)
-      : method(rho)
-      , body(body)
+      : body(body)
       , mass(body.equilibrium().make_matrix())
-      , old_forces(body.u.size())
+      , solid_step(body.solid, body.equilibrium(), body.u, rho)
     {
-      method.u.reinit(body.u.size());
-      method.v.reinit(body.u.size());
-      method.a.reinit(body.u.size());
       body.solid.assemble_mass(*mass);
     }
 
@@ -29,56 +25,53 @@ namespace loaded_solid
     {
       // By Newton's method, so that supports count; scaled, since the internal
       // force is evaluated (with weight 0) at what is an acceleration here.
-      const double scale = 1e-9;
-      old_forces         = body.load;
-      old_forces *= -1.;
-      Vector constant = old_forces;
+      const double     scale = 1e-9;
+      SolidStep::State start = solid_step.state();
+      start.forces -= body.load;
+      Vector constant = start.forces;
       constant *= scale;
       body.equilibrium().set_inertia(mass.get(), 1., constant, 0.);
-      Vector a(body.u.size());
-      check(body.newton_from(a, scale * tolerance));
-      method.a = a;
-      method.a /= scale;
+      check(body.newton_from(start.a, scale * tolerance));
+      start.a /= scale;
+      solid_step.set_state(start);
+    }
+
+    /** @param velocity coefficients at the start [m/s] */
+    void
+    start_with_velocity(const Vector &velocity)
+    {
+      SolidStep::State start = solid_step.state();
+      start.v                = velocity;
+      solid_step.set_state(start);
     }
 
     void
     step(const double dt, const double tolerance)
     {
-      Vector constant(body.u.size());
-      mass->vmult(constant, method.constant(dt));
-      constant.add(method.alpha_f(), old_forces);
-      body.solid.set_time_step(dt);
-      body.equilibrium().set_load(body.load);
-      body.equilibrium().set_inertia(mass.get(),
-                                     method.mass_factor(dt),
-                                     constant,
-                                     1. - method.alpha_f());
-      Vector u = method.predict(dt);
+      solid_step.begin(dt, body.load);
+      Vector u = solid_step.predict();
       for (const auto &line : body.constraints.get_lines())
         u(line.index) = body.u(line.index);
-      ConvergenceReport report = body.newton_from(u, tolerance);
+      const NewtonOptions options = newton_options(tolerance);
+      ConvergenceReport report = solid_step.solve(u, options, body.statistics);
       if (!report.converged)
         {
           u      = body.u;
-          report = body.newton_from(u, tolerance);
+          report = solid_step.solve(u, options, body.statistics);
         }
       check(report);
-      body.equilibrium().forces(u, old_forces);
-      old_forces -= body.load;
-      method.advance(u, dt);
-      body.solid.accept();
+      solid_step.accept(u);
       body.u = u;
     }
 
     double
     kinetic_energy() const
     {
-      Vector momentum(body.u.size());
-      mass->vmult(momentum, method.v);
-      return 0.5 * (momentum * method.v);
+      const Vector velocity = solid_step.state().v;
+      Vector       momentum(velocity.size());
+      mass->vmult(momentum, velocity);
+      return 0.5 * (momentum * velocity);
     }
-
-    GeneralizedAlpha method;
 
   private:
     static void
@@ -92,7 +85,7 @@ namespace loaded_solid
 
     Body                   &body;
     std::unique_ptr<Matrix> mass;
-    Vector                  old_forces;
+    SolidStep               solid_step;
   };
 } // namespace loaded_solid
 

@@ -149,9 +149,11 @@ namespace loaded_solid
     body.prescribe(Edge::bottom, 1);
 
     Motion motion(body, rho);
+    Vector velocity(body.u.size());
     for (unsigned int i = 1; i < body.u.size(); i += 2)
       if (!body.constraints.is_constrained(i))
-        motion.method.v(i) = -taylor::speed;
+        velocity(i) = -taylor::speed;
+    motion.start_with_velocity(velocity);
     const double start = motion.kinetic_energy();
     const double dt    = taylor::end_time / n_steps;
     const double mass = taylor::density * dealii::numbers::PI * taylor::radius *

@@ -66,23 +66,22 @@ namespace loaded_solid
     const double      mu = 0.5e6, lambda = 2. * mu * 0.4 / (1. - 2. * 0.4);
     const BasisTable &table  = flag.solid.table();
     double            energy = 0.;
-    for (const auto &element : table.elements)
-      for (unsigned int q = 0; q < table.points_per_element; ++q)
-        {
-          const unsigned int n = element.functions.size();
-          Tensor<2, 2>       F;
-          F[0][0] = F[1][1] = 1.;
-          for (unsigned int a = 0; a < n; ++a)
-            for (unsigned int i = 0; i < 2; ++i)
-              F[i] += flag.u(2 * element.functions[a] + i) *
-                      element.gradients[q * n + a];
-          Tensor<2, 2> E = 0.5 * transpose(F) * F;
-          E[0][0] -= 0.5;
-          E[1][1] -= 0.5;
-          energy +=
-            (0.5 * lambda * trace(E) * trace(E) + mu * scalar_product(E, E)) *
-            table.JxW[element.first_point + q];
-        }
+    for (const auto &entry : table.elements)
+      {
+        const ElementView element(table, entry);
+        for (unsigned int q = 0; q < table.points_per_element; ++q)
+          {
+            Tensor<2, 2> F;
+            F[0][0] = F[1][1] = 1.;
+            add_gradient(element, q, flag.u, F);
+            Tensor<2, 2> E = 0.5 * transpose(F) * F;
+            E[0][0] -= 0.5;
+            E[1][1] -= 0.5;
+            energy +=
+              (0.5 * lambda * trace(E) * trace(E) + mu * scalar_product(E, E)) *
+              element.JxW(q);
+          }
+      }
     return energy;
   }
 
