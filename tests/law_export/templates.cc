@@ -121,13 +121,14 @@ TEST(Templates, user_subroutines_compile_as_they_stand)
   const Folder folder;
   folder.write("aba_param.inc", "      implicit real*8(a-h,o-z)\n");
   folder.write("vaba_param.inc", "      implicit real*8(a-h,o-z)\n");
-  for (const std::string name : {"tribef.f",
-                                 "abaqus_fric_coef.f",
-                                 "abaqus_vfriction.f",
-                                 "deform_usr_bcc.f"})
-    folder.run("gfortran -std=legacy -ffixed-form -ffixed-line-length-72 -O1 "
-               "-Wall -Wno-unused-dummy-argument -Werror -I. -c '" +
-               templates + name + "'");
+  for (const std::string name :
+       {"tribef", "abaqus_fric_coef", "abaqus_vfriction", "deform_usr_bcc"})
+    {
+      folder.run("gfortran -std=legacy -ffixed-form -ffixed-line-length-72 -O1 "
+                 "-Wall -Wno-unused-dummy-argument -Werror -I. -c '" +
+                 templates + name + ".f'");
+      EXPECT_TRUE(std::filesystem::exists(folder.path / (name + ".o")));
+    }
 }
 
 // Drivers of a law with one input beside p, v and T: they read points and print

@@ -120,7 +120,7 @@ TEST(Checkpoint, any_flipped_bit_is_refused)
       std::string bytes = good;
       bytes[i]          = static_cast<char>(bytes[i] ^ (1 << (i % 8)));
       overwrite(path, bytes);
-      reading_error(path);
+      EXPECT_NE(reading_error(path), "") << "byte " << i;
     }
 }
 
