@@ -32,7 +32,7 @@ namespace asperity
   unsigned int
   SplineHierarchy::n_functions() const
   {
-    return level_of_function.size();
+    return n_functions_;
   }
 
 
@@ -86,14 +86,6 @@ namespace asperity
   SplineHierarchy::cell_extraction(const unsigned int cell) const
   {
     return cells[cell].extraction;
-  }
-
-
-
-  unsigned int
-  SplineHierarchy::function_level(const unsigned int function) const
-  {
-    return level_of_function[function];
   }
 
 

@@ -163,10 +163,7 @@ namespace asperity
             }
         std::sort(active.begin(), active.end());
         for (const std::uint64_t bspline : active)
-          {
-            level.inside[bspline] = level_of_function.size();
-            level_of_function.push_back(l);
-          }
+          level.inside[bspline] = n_functions_++;
       }
   }
 

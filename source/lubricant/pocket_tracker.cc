@@ -289,17 +289,6 @@ namespace asperity
 
 
 
-  double
-  PocketTracker::total_mass() const
-  {
-    double sum = sealed;
-    for (const Pocket &pocket : current)
-      sum += pocket.mass;
-    return sum;
-  }
-
-
-
   const std::vector<PocketEvent> &
   PocketTracker::events() const
   {

@@ -1,6 +1,5 @@
 #include <asperity/postprocess/friction_table.h>
 
-#include <ostream>
 
 namespace asperity
 {
@@ -156,18 +155,6 @@ namespace asperity
     return std::visit(
       [&row](const auto entry) { return static_cast<double>(row.*entry); },
       member);
-  }
-
-
-
-  void
-  write_friction_columns(std::ostream &out)
-  {
-    out << "| friction.csv | friction_units.csv | meaning |\n"
-           "| --- | --- | --- |\n";
-    for (const FrictionColumn &column : friction_columns())
-      out << "| " << column.heading() << " | " << column.heading(true) << " | "
-          << column.meaning << " |\n";
   }
 
 

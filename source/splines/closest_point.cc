@@ -283,16 +283,4 @@ namespace asperity
     return implementation->certified(point, minimizer, start);
   }
 
-
-
-  Projection
-  ClosestPoint::project_locally(const Point<2> &point, const double guess) const
-  {
-    const DistanceMinimizer minimizer(implementation->pieces,
-                                      point[0],
-                                      point[1]);
-    return minimizer.describe(minimizer.minimize(
-                                implementation->pieces.locate(guess)),
-                              implementation->side);
-  }
 } // namespace asperity

@@ -73,19 +73,6 @@ namespace asperity
 
 
 
-  SplinePatch
-  SplinePatch::extrude(const SplineCurve &curve, const Tensor<1, 2> &path)
-  {
-    std::vector<Point<2>> moved = curve.control_points();
-    for (Point<2> &point : moved)
-      point += path;
-    SplineCurve other = curve;
-    other.set_control_points(moved);
-    return from_control_rows(1, KnotVector(1, {0., 1.}), {curve, other});
-  }
-
-
-
   const KnotVector &
   SplinePatch::knot_vector(const unsigned int direction) const
   {
@@ -200,59 +187,18 @@ namespace asperity
       throw InputError(
         "The edge of a patch was asked for in a direction that is "
         "periodic and has none.");
-    return control_row(direction,
-                       at_back ? knot_vectors[direction].n_basis() - 1 : 0);
-  }
-
-
-
-  SplineCurve
-  SplinePatch::control_row(const unsigned int direction,
-                           const unsigned int function) const
-  {
+    const unsigned int row =
+      at_back ? knot_vectors[direction].n_basis() - 1 : 0;
     const KnotVector     &along = knot_vectors[1 - direction];
     std::vector<Point<2>> points;
     std::vector<double>   weights;
     for (unsigned int i = 0; i < along.n_basis(); ++i)
       {
-        points.push_back(control_points_[index(direction, function, i)]);
+        points.push_back(control_points_[index(direction, row, i)]);
         if (is_rational())
-          weights.push_back(weights_[index(direction, function, i)]);
+          weights.push_back(weights_[index(direction, row, i)]);
       }
     return SplineCurve(along, points, weights, periods[1 - direction]);
-  }
-
-
-
-  SplinePatch
-  SplinePatch::from_control_rows(const unsigned int              direction,
-                                 const KnotVector               &knot_vector,
-                                 const std::vector<SplineCurve> &rows,
-                                 const Tensor<1, 2>             &period)
-  {
-    if (rows.empty() || rows.size() != knot_vector.n_basis())
-      throw InputError("A patch was to be made of " +
-                       std::to_string(rows.size()) +
-                       " rows of control points, but its basis expects " +
-                       std::to_string(knot_vector.n_basis()) + ".");
-    SplinePatch result;
-    result.knot_vectors[direction]     = knot_vector;
-    result.knot_vectors[1 - direction] = rows[0].knot_vector();
-    result.periods[direction]          = period;
-    result.periods[1 - direction]      = rows[0].period();
-    const unsigned int n = rows[0].control_points().size() * rows.size();
-    result.control_points_.resize(n);
-    if (rows[0].is_rational())
-      result.weights_.resize(n);
-    for (unsigned int j = 0; j < rows.size(); ++j)
-      for (unsigned int i = 0; i < rows[0].control_points().size(); ++i)
-        {
-          const unsigned int k      = result.index(direction, j, i);
-          result.control_points_[k] = rows[j].control_points()[i];
-          if (rows[0].is_rational())
-            result.weights_[k] = rows[j].weights()[i];
-        }
-    return result;
   }
 
 
@@ -265,45 +211,6 @@ namespace asperity
     const unsigned int i = (direction == 0 ? function : other);
     const unsigned int j = (direction == 0 ? other : function);
     return j * knot_vectors[0].n_basis() + i;
-  }
-
-
-
-  SplinePatch
-  transfer(const SplinePatch   &patch,
-           const unsigned int   direction,
-           const BasisTransfer &basis_transfer)
-  {
-    const unsigned int       across = 1 - direction;
-    std::vector<SplineCurve> rows;
-    for (unsigned int j = 0; j < patch.knot_vector(across).n_basis(); ++j)
-      rows.push_back(transfer(patch.control_row(across, j), basis_transfer));
-    return SplinePatch::from_control_rows(across,
-                                          patch.knot_vector(across),
-                                          rows,
-                                          patch.period(across));
-  }
-
-
-
-  SplinePatch
-  insert_knots(const SplinePatch         &patch,
-               const unsigned int         direction,
-               const std::vector<double> &new_knots)
-  {
-    return transfer(patch,
-                    direction,
-                    knot_insertion(patch.knot_vector(direction), new_knots));
-  }
-
-
-
-  SplinePatch
-  elevate_degree(const SplinePatch &patch, const unsigned int direction)
-  {
-    return transfer(patch,
-                    direction,
-                    degree_elevation(patch.knot_vector(direction)));
   }
 
 

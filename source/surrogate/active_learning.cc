@@ -113,8 +113,7 @@ namespace asperity
           exclude_neighbours(i < n ? &data.x[i * d] : &unit[(i - n) * d]);
         }
       weigh(law);
-      if (options.acquisition == Acquisition::mean_deviation)
-        correlate_with_references();
+      correlate_with_references();
     }
 
 
@@ -174,8 +173,6 @@ namespace asperity
     Chooser::score(const std::size_t candidate) const
     {
       const double variance = posterior.variance(first + candidate);
-      if (options.acquisition == Acquisition::largest_deviation)
-        return weights[candidate] * variance;
       // The variance of a reference falls by cov^2 / (variance + noise).
       double decrease = 0.;
       for (std::size_t i = 0; i < n_references; ++i)
@@ -215,29 +212,6 @@ namespace asperity
       return true;
     }
   } // namespace
-
-
-
-  std::string
-  to_string(const Acquisition acquisition)
-  {
-    return acquisition == Acquisition::mean_deviation ? "mean deviation" :
-                                                        "largest deviation";
-  }
-
-
-
-  Acquisition
-  acquisition(const std::string &name)
-  {
-    for (const Acquisition known :
-         {Acquisition::mean_deviation, Acquisition::largest_deviation})
-      if (name == to_string(known))
-        return known;
-    throw InputError("'" + name +
-                     "' is not a way to choose runs; expected is one of mean "
-                     "deviation, largest deviation");
-  }
 
 
 

@@ -1,11 +1,9 @@
 #include <asperity/base/errors.h>
-#include <asperity/base/text.h>
 #include <asperity/surrogate/design.h>
 #include <asperity/surrogate/random_numbers.h>
 
 #include <gsl/gsl_qrng.h>
 
-#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -19,12 +17,6 @@ namespace asperity
 
     /** Latin hypercubes of which the best one is taken. */
     constexpr unsigned int n_hypercubes = 20;
-
-    const std::array<std::pair<DesignKind, const char *>, 4> names = {
-      {{DesignKind::grid, "grid"},
-       {DesignKind::sobol, "sobol"},
-       {DesignKind::latin_hypercube, "latin hypercube"},
-       {DesignKind::random, "random"}}};
 
     double
     on_scale(const Scale scale, const double x)
@@ -88,33 +80,6 @@ namespace asperity
       return x;
     }
   } // namespace
-
-
-
-  std::string
-  to_string(const DesignKind kind)
-  {
-    for (const auto &[known, name] : names)
-      if (known == kind)
-        return name;
-    return "";
-  }
-
-
-
-  DesignKind
-  design_kind(const std::string &name)
-  {
-    std::vector<std::string> known_names;
-    for (const auto &[kind, known] : names)
-      {
-        if (name == known)
-          return kind;
-        known_names.emplace_back(known);
-      }
-    throw InputError("'" + name + "' is not a design; expected is one of " +
-                     join(known_names, ", "));
-  }
 
 
 

@@ -169,23 +169,6 @@ namespace asperity
 
 
   void
-  GaussianProcess::mean_gradient(const double *x, double *gradient) const
-  {
-    const std::size_t   n = alpha_.size(), d = data_.n_inputs;
-    std::vector<double> work(d + n);
-    double *const       r2 = work.data() + d;
-    if (!scale(x, work.data()))
-      return std::fill(gradient,
-                       gradient + d,
-                       std::numeric_limits<double>::quiet_NaN());
-    correlation::squared_distances(
-      n, d, coordinates.data(), n, work.data(), r2);
-    gradient_from_distances(work.data(), r2, gradient);
-  }
-
-
-
-  void
   GaussianProcess::gradient_from_distances(const double *scaled,
                                            double       *r2,
                                            double       *gradient) const

@@ -150,7 +150,8 @@ TEST(SplineSpace, functions_of_a_cell_stem_from_at_most_two_levels)
         {
           std::set<unsigned int> levels;
           for (const unsigned int f : space->cell_functions(cell))
-            levels.insert(hierarchy->function_level(f));
+            levels.insert(
+              hierarchy->cell_index(hierarchy->function_home(f).first).level);
           EXPECT_LE(levels.size(), 2) << name;
           largest =
             std::max<unsigned int>(largest, space->cell_functions(cell).size());

@@ -67,6 +67,17 @@ namespace
 
 
 
+  double
+  total_mass(const PocketTracker &tracker)
+  {
+    double sum = tracker.sealed_mass();
+    for (const Pocket &pocket : tracker.pockets())
+      sum += pocket.mass;
+    return sum;
+  }
+
+
+
   /** Names and masses, as "A 3, B 1.5". */
   std::string
   content(const PocketTracker &tracker)
@@ -165,7 +176,7 @@ TEST(PocketTracker, where_everything_closes_the_oil_stays_and_comes_back)
   step(tracker, {});
   EXPECT_EQ(content(tracker), "");
   EXPECT_EQ(tracker.sealed_mass(), 10.);
-  EXPECT_EQ(tracker.total_mass(), 10.);
+  EXPECT_EQ(total_mass(tracker), 10.);
   EXPECT_EQ(tracker.events().size(), 3u);
   step(tracker, {});
   step(tracker, {{2., 3.}, {5., 8.}});
@@ -337,9 +348,9 @@ TEST(PocketTracker, random_histories_conserve_mass_and_names)
               for (unsigned int i = 0; i < pockets.size(); ++i)
                 masses.push_back(1e-9 * gap.uniform(gap.random));
               tracker.set_masses(masses);
-              total = tracker.total_mass();
+              total = total_mass(tracker);
             }
-          EXPECT_EQ(tracker.total_mass(), total);
+          EXPECT_EQ(total_mass(tracker), total);
           n_sealed += tracker.sealed_mass() > 0.;
           for (const Pocket &pocket : tracker.pockets())
             EXPECT_GE(pocket.mass, 0.);

@@ -1,5 +1,6 @@
 #include <asperity/base/errors.h>
 #include <asperity/splines/closest_point.h>
+#include <asperity/splines/distance_minimizer.h>
 #include <asperity/splines/spline_fit.h>
 
 #include <gtest/gtest.h>
@@ -22,6 +23,17 @@ namespace
       2. * M_PI,
       40,
       degree);
+  }
+
+  /** The local search alone, without seeds and certificate. */
+  Projection
+  local_minimum(const CurvePieces &pieces,
+                const Point<2>    &point,
+                const double       guess)
+  {
+    const DistanceMinimizer minimizer(pieces, point[0], point[1]);
+    return minimizer.describe(minimizer.minimize(pieces.locate(guess)),
+                              CurveSide::right);
   }
 } // namespace
 
@@ -53,15 +65,15 @@ TEST(ClosestPoint, distance_is_positive_on_the_free_side)
 
 
 // d(distance)/dP = n and dn/dP = -curvature/(1 - curvature distance) t t^T.
-TEST(ClosestPoint, normal_and_curvature_are_derivatives_of_the_distance)
+TEST(DistanceMinimizer, normal_and_curvature_are_derivatives_of_the_distance)
 {
-  const ClosestPoint search(wavy(5), CurveSide::right);
-  const double       h = 1e-6;
+  const CurvePieces pieces(wavy(5));
+  const double      h = 1e-6;
   for (double x = 0.05; x < 6.; x += 0.31)
     for (const double y : {-0.9, 0.05, 0.7})
       {
         const Point<2>   point(x, y);
-        const Projection middle = search.project_locally(point, x);
+        const Projection middle = local_minimum(pieces, point, x);
         const double     rate =
           -middle.curvature / (1. - middle.curvature * middle.distance);
         if (std::abs(rate) > 20.)
@@ -71,9 +83,8 @@ TEST(ClosestPoint, normal_and_curvature_are_derivatives_of_the_distance)
             Point<2> left = point, right = point;
             left[d] -= h;
             right[d] += h;
-            const Projection a = search.project_locally(left, middle.parameter);
-            const Projection b =
-              search.project_locally(right, middle.parameter);
+            const Projection a = local_minimum(pieces, left, middle.parameter);
+            const Projection b = local_minimum(pieces, right, middle.parameter);
             EXPECT_NEAR((b.distance - a.distance) / (2. * h),
                         middle.normal[d],
                         1e-8);
@@ -87,15 +98,16 @@ TEST(ClosestPoint, normal_and_curvature_are_derivatives_of_the_distance)
 
 
 
-TEST(ClosestPoint, the_local_search_follows_a_moving_point)
+TEST(DistanceMinimizer, follows_a_moving_point)
 {
   const SplineCurve  curve = wavy();
+  const CurvePieces  pieces(curve);
   const ClosestPoint search(curve, CurveSide::right);
   double             guess = 0.;
   for (double x = 0.; x < 30.; x += 0.02)
     {
       const Point<2>   point(x, curve.value(x)[1] - 0.03);
-      const Projection local  = search.project_locally(point, guess);
+      const Projection local  = local_minimum(pieces, point, guess);
       const Projection global = search.project(point);
       EXPECT_TRUE(local.converged);
       EXPECT_FALSE(local.certified);
@@ -109,16 +121,16 @@ TEST(ClosestPoint, the_local_search_follows_a_moving_point)
 
 
 // Newton's method fails where the distance is concave; the others must not.
-TEST(ClosestPoint, fallbacks_find_a_minimum_where_newton_fails)
+TEST(DistanceMinimizer, fallbacks_find_a_minimum_where_newton_fails)
 {
-  const SplineCurve  curve = wavy();
-  const ClosestPoint search(curve, CurveSide::right);
-  unsigned int       n_sqp = 0;
+  const SplineCurve curve = wavy();
+  const CurvePieces pieces(curve);
+  unsigned int      n_sqp = 0;
   for (double x = 0.; x < 2. * M_PI; x += 0.05)
     for (const double guess : {0.3, 1.7, 2.9, 4.4})
       {
         const Point<2>   point(x, -3.);
-        const Projection local = search.project_locally(point, guess);
+        const Projection local = local_minimum(pieces, point, guess);
         EXPECT_TRUE(local.converged);
         const auto C = curve.derivatives(local.parameter, 2);
         EXPECT_NEAR((C[0] - point) * C[1], 0., 1e-9);
@@ -205,7 +217,8 @@ TEST(ClosestPoint, a_point_that_is_not_finite_is_not_certified)
   const ClosestPoint search(wavy());
   EXPECT_FALSE(search.project(Point<2>(1., NAN), 1.).certified);
   EXPECT_FALSE(search.project(Point<2>(1., NAN), 1.).converged);
-  EXPECT_FALSE(search.project_locally(Point<2>(1., NAN), 1.).converged);
+  EXPECT_FALSE(
+    local_minimum(CurvePieces(wavy()), Point<2>(1., NAN), 1.).converged);
 }
 
 

@@ -128,25 +128,6 @@ namespace
 
 
 
-TEST(ActiveLearning, goes_where_the_deviation_is_largest)
-{
-  const FrictionLaw     law = example_law();
-  ActiveLearningOptions options;
-  options.acquisition   = Acquisition::largest_deviation;
-  const auto points     = unit_points(next_points(law, {}, 6, options));
-  const auto candidates = unit_sobol(options.n_candidates, 3);
-  ASSERT_EQ(points.size(), 18u);
-  for (std::size_t i = 0; i < 18; i += 3)
-    {
-      const auto   process = told(law, {points.begin(), points.begin() + i});
-      const double chosen  = process.variance(&points[i]);
-      for (std::size_t j = 0; j < candidates.size(); j += 3)
-        ASSERT_LE(process.variance(&candidates[j]), chosen * (1. + 1e-8));
-    }
-}
-
-
-
 TEST(ActiveLearning, makes_the_law_surest_on_average)
 {
   const FrictionLaw     law = example_law();
@@ -180,27 +161,21 @@ TEST(ActiveLearning, makes_the_law_surest_on_average)
 
 TEST(ActiveLearning, keeps_away_from_runs_that_are_made_pending_or_failed)
 {
-  const FrictionLaw law = example_law();
-  for (const auto kind :
-       {Acquisition::mean_deviation, Acquisition::largest_deviation})
-    {
-      ActiveLearningOptions options;
-      options.acquisition = kind;
-      const auto first    = next_points(law, {}, 20, options);
-      const auto second   = next_points(law, first, 20, options);
-      ASSERT_EQ(first.size(), 60u);
-      ASSERT_EQ(second.size(), 60u);
-      const auto a = unit_points(first), b = unit_points(second);
-      EXPECT_GE(smallest_distance(a, law.process().data().x), 0.01);
-      EXPECT_GE(smallest_distance(a, a), 0.01);
-      EXPECT_GE(smallest_distance(b, b), 0.01);
-      EXPECT_GE(smallest_distance(a, b), 0.01);
-      EXPECT_GE(smallest_distance(b, law.process().data().x), 0.01);
-      // asking again for more gives the same points
-      const auto both = next_points(law, {}, 40, options);
-      EXPECT_EQ(std::vector<double>(both.begin(), both.begin() + 60), first);
-      EXPECT_EQ(std::vector<double>(both.begin() + 60, both.end()), second);
-    }
+  const FrictionLaw law    = example_law();
+  const auto        first  = next_points(law, {}, 20);
+  const auto        second = next_points(law, first, 20);
+  ASSERT_EQ(first.size(), 60u);
+  ASSERT_EQ(second.size(), 60u);
+  const auto a = unit_points(first), b = unit_points(second);
+  EXPECT_GE(smallest_distance(a, law.process().data().x), 0.01);
+  EXPECT_GE(smallest_distance(a, a), 0.01);
+  EXPECT_GE(smallest_distance(b, b), 0.01);
+  EXPECT_GE(smallest_distance(a, b), 0.01);
+  EXPECT_GE(smallest_distance(b, law.process().data().x), 0.01);
+  // asking again for more gives the same points
+  const auto both = next_points(law, {}, 40);
+  EXPECT_EQ(std::vector<double>(both.begin(), both.begin() + 60), first);
+  EXPECT_EQ(std::vector<double>(both.begin() + 60, both.end()), second);
 }
 
 
@@ -225,13 +200,6 @@ TEST(ActiveLearning, ends_when_no_candidate_is_left)
   options.n_references = 1;
   options.n_candidates = 0;
   EXPECT_THROW(next_points(law, {}, 1, options), InputError);
-  EXPECT_NE(message_of<InputError>([]() {
-              acquisition("random");
-            }).find("mean deviation, largest deviation"),
-            std::string::npos);
-  for (const auto kind :
-       {Acquisition::mean_deviation, Acquisition::largest_deviation})
-    EXPECT_EQ(acquisition(to_string(kind)), kind);
 }
 
 
@@ -249,29 +217,23 @@ TEST(ActiveLearning, on_a_linear_scale_small_values_count_more)
                 0.01 * std::sin(9. * z[3 * i + 2]));
   FrictionLawDescription description;
   description.inputs = inputs;
-  for (const auto kind :
-       {Acquisition::mean_deviation, Acquisition::largest_deviation})
+  std::array<int, 2> n_small;
+  for (const Scale scale : {Scale::linear, Scale::logarithmic})
     {
-      ActiveLearningOptions options;
-      options.acquisition = kind;
-      std::array<int, 2> n_small;
-      for (const Scale scale : {Scale::linear, Scale::logarithmic})
-        {
-          description.output_scale = Scale::linear;
-          auto shifted             = y;
-          if (scale == Scale::logarithmic) // all about the same: no preference
-            for (double &value : shifted)
-              value += 100.;
-          const auto law  = FrictionLaw::train(description, x, shifted);
-          const auto next = unit_points(next_points(law, {}, 20, options));
-          int        n    = 0;
-          for (unsigned int i = 0; i < 20; ++i)
-            n += next[3 * i] < 0.5;
-          n_small[scale == Scale::logarithmic] = n;
-        }
-      EXPECT_GE(n_small[0], 15);
-      EXPECT_LT(n_small[1], 15);
+      description.output_scale = Scale::linear;
+      auto shifted             = y;
+      if (scale == Scale::logarithmic) // all about the same: no preference
+        for (double &value : shifted)
+          value += 100.;
+      const auto law  = FrictionLaw::train(description, x, shifted);
+      const auto next = unit_points(next_points(law, {}, 20));
+      int        n    = 0;
+      for (unsigned int i = 0; i < 20; ++i)
+        n += next[3 * i] < 0.5;
+      n_small[scale == Scale::logarithmic] = n;
     }
+  EXPECT_GE(n_small[0], 15);
+  EXPECT_LT(n_small[1], 15);
 }
 
 

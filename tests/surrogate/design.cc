@@ -193,21 +193,6 @@ TEST(Design, a_logarithmic_scale_has_equal_ratios)
 
 
 
-TEST(Design, names_are_those_of_the_parameter_file)
-{
-  for (const auto kind : {DesignKind::grid,
-                          DesignKind::sobol,
-                          DesignKind::latin_hypercube,
-                          DesignKind::random})
-    EXPECT_EQ(design_kind(to_string(kind)), kind);
-  const auto message = message_of<InputError>([]() { design_kind("sobel"); });
-  EXPECT_EQ(message,
-            "'sobel' is not a design; expected is one of grid, sobol, "
-            "latin hypercube, random");
-}
-
-
-
 TEST(Design, wrong_boxes_and_numbers_are_refused_by_name)
 {
   auto inputs     = example_inputs();

@@ -61,10 +61,9 @@ TEST(GaussianProcess, gradients_agree_with_finite_differences)
           }
 
         std::vector<double> x = evenly_spread_point(777, n_inputs);
-        std::vector<double> slope(n_inputs), same(n_inputs);
-        process.mean_gradient(x.data(), slope.data());
-        double       variance;
-        const double mean = process.evaluate(x.data(), &variance, same.data());
+        std::vector<double> slope(n_inputs);
+        double              variance;
+        const double mean = process.evaluate(x.data(), &variance, slope.data());
         EXPECT_NEAR(mean, process.mean(x.data()), 1e-13);
         EXPECT_EQ(variance, process.variance(x.data()));
         for (std::size_t i = 0; i < n_inputs; ++i)
@@ -76,7 +75,6 @@ TEST(GaussianProcess, gradients_agree_with_finite_differences)
             const double left   = process.mean(x.data());
             x[i]                = middle;
             EXPECT_NEAR(slope[i], (right - left) / (2. * step), 1e-7);
-            EXPECT_EQ(slope[i], same[i]);
           }
       }
 }
@@ -94,7 +92,8 @@ TEST(GaussianProcess, gradient_exists_at_training_points)
       std::vector<double>   x(process.data().x.begin(),
                             process.data().x.begin() + 3);
       std::vector<double>   gradient(3);
-      process.mean_gradient(x.data(), gradient.data());
+      double                variance;
+      process.evaluate(x.data(), &variance, gradient.data());
       for (std::size_t i = 0; i < 3; ++i)
         {
           const double step = 1e-6, middle = x[i];
@@ -223,7 +222,9 @@ TEST(GaussianProcess, answers_not_a_number_with_the_same)
   std::vector<double>       gradient(3);
   EXPECT_TRUE(std::isnan(process.mean(x.data())));
   EXPECT_TRUE(std::isnan(process.variance(x.data())));
-  process.mean_gradient(x.data(), gradient.data());
+  double variance;
+  EXPECT_TRUE(
+    std::isnan(process.evaluate(x.data(), &variance, gradient.data())));
   for (const double derivative : gradient)
     EXPECT_TRUE(std::isnan(derivative));
 }

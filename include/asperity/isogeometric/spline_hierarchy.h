@@ -93,10 +93,6 @@ namespace asperity
     const dealii::FullMatrix<double> &
     cell_extraction(const unsigned int cell) const;
 
-    /** Level of a function. */
-    unsigned int
-    function_level(const unsigned int function) const;
-
     /** The cell from which the coefficient of a function is read, and the
      *  place 0 .. (degree+1)^2 - 1 of the function among the B-splines of the
      *  cell's level: of the cells of the function's level, the one that holds
@@ -193,7 +189,7 @@ namespace asperity
     std::vector<Level>                                 levels;
     std::vector<Cell>                                  cells;
     std::vector<Node>                                  tree;
-    std::vector<unsigned int>                          level_of_function;
+    unsigned int                                       n_functions_ = 0;
     std::vector<std::pair<unsigned int, unsigned int>> homes;
   };
 } // namespace asperity

@@ -99,10 +99,6 @@ namespace asperity
     double
     sealed_mass() const;
 
-    /** [kg/m] */
-    double
-    total_mass() const;
-
     /** What happened in the last step. */
     const std::vector<PocketEvent> &
     events() const;

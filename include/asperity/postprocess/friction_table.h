@@ -3,7 +3,6 @@
 
 #include <asperity/postprocess/table.h>
 
-#include <iosfwd>
 #include <string>
 #include <variant>
 #include <vector>
@@ -82,10 +81,6 @@ namespace asperity
   /** All entries of a FrictionRow, in the order of the table's columns. */
   const std::vector<FrictionColumn> &
   friction_columns();
-
-  /** The columns as a table for doc/friction_columns.md. */
-  void
-  write_friction_columns(std::ostream &out);
 
   /**
    * `friction.csv` of an output directory (SI) and its companion

@@ -48,11 +48,6 @@ namespace asperity
     Projection
     project(const dealii::Point<2> &point, const double guess) const;
 
-    /** The local minimum of the distance that is reached from a guess; never
-     *  certified. The fastest way to follow a point that moves little. */
-    Projection
-    project_locally(const dealii::Point<2> &point, const double guess) const;
-
   private:
     struct Implementation;
     std::unique_ptr<const Implementation> implementation;

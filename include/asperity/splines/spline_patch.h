@@ -1,7 +1,6 @@
 #ifndef asperity_splines_spline_patch_h
 #define asperity_splines_spline_patch_h
 
-#include <asperity/splines/refinement.h>
 #include <asperity/splines/spline_curve.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -34,11 +33,6 @@ namespace asperity
                 const std::vector<double>                 &weights = {},
                 const std::array<dealii::Tensor<1, 2>, 2> &periods = {});
 
-    /** The patch swept by `curve` along `path` (eta = 0 .. 1, linear): the
-     * ruled region between the curve and its copy moved by `path` [m]. */
-    static SplinePatch
-    extrude(const SplineCurve &curve, const dealii::Tensor<1, 2> &path);
-
     const KnotVector &
     knot_vector(const unsigned int direction) const;
 
@@ -68,20 +62,6 @@ namespace asperity
     SplineCurve
     edge(const unsigned int direction, const bool at_back) const;
 
-    /** The curve on which all control points have index `function` in the given
-     *  direction. */
-    SplineCurve
-    control_row(const unsigned int direction,
-                const unsigned int function) const;
-
-    /** A patch of which control_row(direction, j) are the given curves.
-     *  @throws InputError if there are not as many as functions */
-    static SplinePatch
-    from_control_rows(const unsigned int              direction,
-                      const KnotVector               &knot_vector,
-                      const std::vector<SplineCurve> &rows,
-                      const dealii::Tensor<1, 2>     &period = {});
-
   private:
     unsigned int
     index(const unsigned int direction,
@@ -95,20 +75,6 @@ namespace asperity
   };
 
 
-
-  /** The same patch with another basis in one direction. */
-  SplinePatch
-  transfer(const SplinePatch   &patch,
-           const unsigned int   direction,
-           const BasisTransfer &basis_transfer);
-
-  SplinePatch
-  insert_knots(const SplinePatch         &patch,
-               const unsigned int         direction,
-               const std::vector<double> &new_knots);
-
-  SplinePatch
-  elevate_degree(const SplinePatch &patch, const unsigned int direction);
 
   /** Operator of one element from those of its two spans: rows are the
    * functions of the element, columns the Bernstein polynomials, xi fastest in

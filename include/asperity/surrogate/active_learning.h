@@ -4,36 +4,12 @@
 #include <asperity/surrogate/friction_law.h>
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace asperity
 {
-  /** What makes a point worth a run. */
-  enum class Acquisition
-  {
-    /** The law is surest afterwards, on average over the box: the largest
-     *  decrease of the mean of the squared relative deviation (Cohn,
-     *  Ghahramani and Jordan 1996; Seo et al. 2000). */
-    mean_deviation,
-
-    /** The law is least sure there (MacKay 1992). Two thirds of such points lie
-     *  on the edges of the box, which costs accuracy inside. */
-    largest_deviation
-  };
-
-  /** "mean deviation" or "largest deviation", as in parameter files. */
-  std::string
-  to_string(const Acquisition acquisition);
-
-  /** @throws InputError with a half sentence that lists the names */
-  Acquisition
-  acquisition(const std::string &name);
-
   struct ActiveLearningOptions
   {
-    Acquisition acquisition = Acquisition::mean_deviation;
-
     /** Sobol points among which the next ones are chosen. Half as many are
      *  pushed onto the edges of the box, and the corners stand for
      *  themselves. */
@@ -47,7 +23,11 @@ namespace asperity
   };
 
   /**
-   * The next runs of a campaign, chosen one after the other. How sure a law is
+   * The next runs of a campaign, chosen one after the other: those after which
+   * the law is surest on average over the box, by the largest decrease of the
+   * mean of the squared relative deviation (Cohn, Ghahramani and Jordan 1996;
+   * Seo et al. 2000). Points of the largest deviation (MacKay 1992) would lie
+   * on the edges of the box, which costs accuracy inside. How sure a law is
    * depends on where its points lie and not on their values, so that each point
    * chosen counts as known at once (with hyperparameters as they are, and as if
    * its value were what the law predicts), and a batch spreads by itself. The

@@ -4,7 +4,6 @@
 #include <asperity/surrogate/friction_law.h>
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace asperity
@@ -17,14 +16,6 @@ namespace asperity
     latin_hypercube, ///< one point in each of n slices of every input
     random           ///< uniform and independent, for test runs
   };
-
-  /** "grid", "sobol", "latin hypercube", "random": as in parameter files. */
-  std::string
-  to_string(const DesignKind kind);
-
-  /** @throws InputError with a half sentence that lists the names */
-  DesignKind
-  design_kind(const std::string &name);
 
   /**
    * The coordinate z of an input, (g(x) - g(lower)) / (g(upper) - g(lower)),

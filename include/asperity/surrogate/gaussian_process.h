@@ -63,10 +63,6 @@ namespace asperity
     void
     means(const std::size_t n, const double *x, double *result) const;
 
-    /** d mean / d x. */
-    void
-    mean_gradient(const double *x, double *gradient) const;
-
     /** Variance of the latent function, without noise; not negative. */
     double
     variance(const double *x) const;
