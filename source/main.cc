@@ -103,7 +103,7 @@ namespace
         nearest = &command;
     const bool similar = edit_distance(nearest->name(), word) <= 2;
     throw InputError(
-      "'" + word + "' is neither a command nor a parameter file (*.prm); " +
+      quoted(word) + " is neither a command nor a parameter file (*.prm); " +
       (similar ? "did you mean 'asperity " + nearest->name() + "'?" :
                  "'asperity --help' lists the commands."));
   }
@@ -151,8 +151,9 @@ namespace
     if (!is_parameter_file(word))
       refuse_command(word);
     if (arguments.size() > 1)
-      throw InputError("One parameter file is expected, but '" + arguments[1] +
-                       "' follows '" + word + "'.");
+      throw InputError("One parameter file is expected, but " +
+                       quoted_name(arguments[1]) + " follows " + quoted(word) +
+                       ".");
     become_scenes(argv);
   }
 
@@ -166,7 +167,7 @@ namespace
     std::cout.flush();
     if (!is_first_rank())
       return success;
-    std::cerr << "Error: " << message << std::endl;
+    std::cerr << "Error: " << printable(message) << std::endl;
     return status;
   }
 } // namespace

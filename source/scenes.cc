@@ -134,7 +134,7 @@ namespace
     const bool alone = MpiSession::n_ranks() == 1;
     std::cout.flush();
     if (is_first_rank() || status != input_is_wrong)
-      std::cerr << "Error: " << message << std::endl;
+      std::cerr << "Error: " << printable(message) << std::endl;
     if (!alone && status != input_is_wrong)
       MPI_Abort(MPI_COMM_WORLD, status);
     return status;

@@ -1,5 +1,6 @@
 #include <asperity/base/atomic_file.h>
 #include <asperity/base/errors.h>
+#include <asperity/base/text.h>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -21,7 +22,7 @@ namespace asperity
     [[noreturn]] void
     fail(const std::string &path, const std::string &reason)
     {
-      throw ComputationError("The file " + path +
+      throw ComputationError("The file " + quoted_name(path) +
                              " could not be written: " + reason + ".");
     }
 

@@ -1,5 +1,6 @@
 #include <asperity/base/errors.h>
 #include <asperity/base/folder_lock.h>
+#include <asperity/base/text.h>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -18,8 +19,8 @@ namespace asperity
     descriptor =
       ::open((folder + "/lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644);
     if (descriptor < 0)
-      throw InputError(where + ": cannot write into the folder '" + folder +
-                       "' (" + std::strerror(errno) +
+      throw InputError(where + ": cannot write into the folder " +
+                       quoted_name(folder) + " (" + std::strerror(errno) +
                        "); expected a place where it can be made or written.");
     if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0)
       return;
@@ -27,15 +28,15 @@ namespace asperity
     if (error != EWOULDBLOCK)
       {
         // Some network file systems cannot lock; nobody could run on them.
-        warning_ = "The folder '" + folder + "' cannot be locked (" +
+        warning_ = "The folder " + quoted_name(folder) + " cannot be locked (" +
                    std::strerror(error) +
                    "); make sure that nothing else is run into it.";
         return;
       }
     ::close(descriptor);
-    throw InputError(where + ": another process writes into the folder '" +
-                     folder +
-                     "'; expected another folder, or that it has "
+    throw InputError(where + ": another process writes into the folder " +
+                     quoted_name(folder) +
+                     "; expected another folder, or that it has "
                      "ended.");
   }
 

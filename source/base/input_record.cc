@@ -2,6 +2,7 @@
 #include <asperity/base/input_record.h>
 #include <asperity/base/md5.h>
 #include <asperity/base/parameters.h>
+#include <asperity/base/text.h>
 
 #include <algorithm>
 
@@ -15,9 +16,9 @@ namespace asperity
     {
       if (!entry.is_file)
         return entry.value.empty() ? "empty" : entry.value;
-      return entry.value.empty() ?
-               "no file" :
-               "the file '" + entry.value + "' (MD5 " + entry.content + ")";
+      return entry.value.empty() ? "no file" :
+                                   "the file " + quoted_name(entry.value) +
+                                     " (MD5 " + entry.content + ")";
     }
 
     bool
@@ -61,10 +62,10 @@ namespace asperity
                                         return entry.path == then.path;
                                       });
         if (now == entries.end())
-          return "entry '" + then.path + "' was " + describe(then) +
+          return "entry " + quoted_name(then.path) + " was " + describe(then) +
                  " and is unknown to this program";
         if (!agree(*now, then))
-          return "entry '" + then.path + "' was " + describe(then) +
+          return "entry " + quoted_name(then.path) + " was " + describe(then) +
                  " and is " + describe(*now);
       }
     return "";

@@ -1,5 +1,6 @@
 #include <asperity/base/errors.h>
 #include <asperity/base/json_file.h>
+#include <asperity/base/text.h>
 
 #include <nlohmann/json.hpp>
 
@@ -24,15 +25,16 @@ namespace asperity
       std::string   text;
       // a folder opens, but cannot be read
       if (in.peek(); in.bad() || !in.is_open())
-        throw InputError("The file " + path + " could not be opened; " +
-                         expected + " is expected.");
+        throw InputError("The file " + quoted_name(path) +
+                         " could not be opened; " + expected + " is expected.");
       in.clear();
       text.resize(largest_size + 1);
       in.read(text.data(), static_cast<std::streamsize>(text.size()));
       text.resize(static_cast<std::size_t>(in.gcount()));
       if (text.size() > largest_size)
-        throw InputError("The file " + path + " is larger than 64 MB; " +
-                         expected + " is expected.");
+        throw InputError("The file " + quoted_name(path) +
+                         " is larger than 64 MB; " + expected +
+                         " is expected.");
       return text;
     }
 
@@ -61,7 +63,7 @@ namespace asperity
       [&](const int depth, const Json::parse_event_t event, Json &) {
         if (depth > largest_depth ||
             (event == Json::parse_event_t::key && ++n_keys > largest_keys))
-          throw InputError("The file " + path +
+          throw InputError("The file " + quoted_name(path) +
                            " has more levels or keys than any that Asperity "
                            "writes; " +
                            expected + " is expected.");
@@ -73,13 +75,13 @@ namespace asperity
       }
     catch (const Json::parse_error &error)
       {
-        throw InputError("The file " + path + " is no JSON document at " +
-                         place(text, error.byte) + "; " + expected +
-                         " is expected.");
+        throw InputError("The file " + quoted_name(path) +
+                         " is no JSON document at " + place(text, error.byte) +
+                         "; " + expected + " is expected.");
       }
     catch (const Json::exception &)
       {
-        throw InputError("The file " + path +
+        throw InputError("The file " + quoted_name(path) +
                          " holds a number that is too large; " + expected +
                          " is expected.");
       }

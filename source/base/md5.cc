@@ -1,5 +1,6 @@
 #include <asperity/base/errors.h>
 #include <asperity/base/md5.h>
+#include <asperity/base/text.h>
 
 #include <array>
 #include <cmath>
@@ -131,8 +132,8 @@ namespace asperity
         digest.add(piece.data(), static_cast<std::size_t>(in.gcount()));
       }
     if (!in.eof())
-      throw InputError("The file '" + path +
-                       "' does not exist or cannot be read.");
+      throw InputError("The file " + quoted_name(path) +
+                       " does not exist or cannot be read.");
     return digest.finish();
   }
 } // namespace asperity

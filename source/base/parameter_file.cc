@@ -127,20 +127,21 @@ namespace asperity
         const std::string prefix = includer.empty() ? "" : includer + ": ";
         std::error_code   error;
         if (fs::is_directory(file_name, error))
-          throw InputError(prefix + "The parameter file '" + file_name +
-                           "' is a folder.");
+          throw InputError(prefix + "The parameter file " +
+                           quoted_name(file_name) + " is a folder.");
         if (fs::exists(file_name, error) &&
             !fs::is_regular_file(file_name, error))
-          throw InputError(prefix + "The parameter file '" + file_name +
-                           "' is a device or a pipe; a file is expected.");
+          throw InputError(prefix + "The parameter file " +
+                           quoted_name(file_name) +
+                           " is a device or a pipe; a file is expected.");
         if (!error && fs::file_size(file_name, error) > largest_file && !error)
-          throw InputError(prefix + "The file '" + file_name +
-                           "' is too large for a parameter file; at most " +
+          throw InputError(prefix + "The file " + quoted_name(file_name) +
+                           " is too large for a parameter file; at most " +
                            std::to_string(largest_file >> 20) +
                            " MB are expected.");
         if (open_files.size() == deepest_include)
-          throw InputError(prefix + "The file '" + file_name +
-                           "' is included by " +
+          throw InputError(prefix + "The file " + quoted_name(file_name) +
+                           " is included by " +
                            std::to_string(deepest_include) +
                            " files inside of each other; fewer are expected.");
         if (++n_files > most_files)
@@ -148,13 +149,14 @@ namespace asperity
                            " files are included; fewer are expected.");
         std::ifstream input(file_name);
         if (!input)
-          throw InputError(prefix + "The parameter file '" + file_name +
-                           "' does not exist or cannot be read.");
+          throw InputError(prefix + "The parameter file " +
+                           quoted_name(file_name) +
+                           " does not exist or cannot be read.");
         const fs::path canonical = fs::canonical(file_name);
         for (const fs::path &open_file : open_files)
           if (open_file == canonical)
-            throw InputError(prefix + "The file '" + file_name +
-                             "' includes itself.");
+            throw InputError(prefix + "The file " + quoted_name(file_name) +
+                             " includes itself.");
         open_files.push_back(canonical);
         read_stream(input, file_name);
         open_files.pop_back();
@@ -190,8 +192,9 @@ namespace asperity
         if (!trim(joined).empty())
           throw InputError(file.origin() + ": The last line ends with a '\\'.");
         if (!file.subsections.empty())
-          throw InputError(name + ": The file ends inside of subsection '" +
-                           file.subsections.back() + "'; an 'end' is missing.");
+          throw InputError(name + ": The file ends inside of subsection " +
+                           quoted_name(file.subsections.back()) +
+                           "; an 'end' is missing.");
       }
 
     private:
@@ -275,8 +278,9 @@ namespace asperity
         const auto [position, is_new] =
           file.line_of_path.insert({line.path(), line.line});
         if (!is_new)
-          throw InputError(file.origin() + ": The entry '" + line.path() +
-                           "' has already been set in line " +
+          throw InputError(file.origin() + ": The entry " +
+                           quoted_name(line.path()) +
+                           " has already been set in line " +
                            std::to_string(position->second) + ".");
         lines.push_back(line);
       }

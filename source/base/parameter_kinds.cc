@@ -336,12 +336,8 @@ namespace asperity
         throw InputError("no file is named");
       if (!text.empty() &&
           (std::filesystem::is_directory(text) || !std::ifstream(text).good()))
-        // The name of a file is at the end of its path; one of more than 4096
-        // characters is none.
-        throw InputError(
-          "the file " +
-          (text.size() <= 4096 ? "'" + text + "'" : quoted(text)) +
-          " does not exist or cannot be read");
+        throw InputError("the file " + quoted_name(text) +
+                         " does not exist or cannot be read");
       variable = text;
       return text;
     };

@@ -54,7 +54,8 @@ namespace asperity
     entry.default_text     = entry.need == Need::mandatory ? "" : default_text;
     const std::string path = entry.path();
     if (index_of_path.count(path) != 0)
-      throw std::logic_error("The parameter '" + path + "' is declared twice.");
+      throw std::logic_error("The parameter " + quoted_name(path) +
+                             " is declared twice.");
     if (entry.need == Need::optional)
       try
         {
@@ -63,8 +64,9 @@ namespace asperity
         }
       catch (const InputError &error)
         {
-          throw std::logic_error("The default of parameter '" + path +
-                                 "' is wrong: " + error.what());
+          throw std::logic_error("The default of parameter " +
+                                 quoted_name(path) +
+                                 " is wrong: " + error.what());
         }
     handler.declare_entry(entry.key,
                           entry.default_text,
@@ -146,7 +148,7 @@ namespace asperity
       origin + "There is no entry " + quoted(key) + " " + place(section) + "; ";
     if (nearest != nullptr &&
         nearest_distance / 100 <= std::max<std::size_t>(2, key.size() / 2))
-      message += "did you mean '" + nearest->key + "' " +
+      message += "did you mean " + quoted_name(nearest->key) + " " +
                  place(nearest->subsection) + "?";
     else
       message += "'asperity parameters' lists all entries.";
@@ -172,7 +174,8 @@ namespace asperity
     catch (const InputError &error)
       {
         throw InputError((entry.origin.empty() ? "" : entry.origin + ", ") +
-                         "entry '" + entry.path() + "': " + error.what() + ".");
+                         "entry " + quoted_name(entry.path()) + ": " +
+                         error.what() + ".");
       }
     entry.given                         = true;
     const std::vector<std::string> path = split(entry.subsection, '/');
@@ -189,7 +192,7 @@ namespace asperity
     std::vector<std::string> missing;
     for (const ParameterEntry &entry : declared)
       if (entry.need == Need::mandatory && !entry.given)
-        missing.push_back("'" + entry.path() + "' (" + entry.kind + ")");
+        missing.push_back(quoted_name(entry.path()) + " (" + entry.kind + ")");
     if (!missing.empty())
       throw InputError(
         name + ": " +
@@ -204,7 +207,7 @@ namespace asperity
   {
     const auto found = index_of_path.find(path);
     if (found == index_of_path.end())
-      throw InputError("There is no parameter '" + path + "'.");
+      throw InputError("There is no parameter " + quoted_name(path) + ".");
     return declared[found->second];
   }
 
@@ -232,8 +235,8 @@ namespace asperity
   ParameterDeclarator::where(const std::string &path) const
   {
     const ParameterEntry &entry = entry_at(path);
-    return (entry.origin.empty() ? "" : entry.origin + ", ") + "entry '" +
-           path + "'";
+    return (entry.origin.empty() ? "" : entry.origin + ", ") + "entry " +
+           quoted_name(path);
   }
 
   const std::vector<ParameterEntry> &

@@ -162,7 +162,7 @@ namespace asperity
     {
       if (const Unit *unit = find_unit(name))
         return *unit;
-      throw InputError("'" + name + "' is not a known unit");
+      throw InputError(quoted_name(name) + " is not a known unit");
     }
 
     std::string

@@ -1,5 +1,7 @@
 #include <asperity/base/text.h>
 
+#include <boost/locale/utf.hpp>
+
 #include <algorithm>
 #include <cctype>
 
@@ -42,19 +44,48 @@ namespace asperity
   }
 
   std::string
+  printable(const std::string &text)
+  {
+    using Utf8 = boost::locale::utf::utf_traits<char>;
+    std::string result;
+    for (auto at = text.begin(); at != text.end();)
+      {
+        const auto begin = at;
+        const auto code  = Utf8::decode(at, text.end());
+        if (!boost::locale::utf::is_valid_codepoint(code))
+          {
+            result += '?';
+            at = begin + 1;
+          }
+        else if (code < 32 || (code >= 127 && code < 160))
+          result += '?';
+        else
+          result.append(begin, at);
+      }
+    return result;
+  }
+
+  std::string
   quoted(const std::string &text)
   {
     constexpr std::size_t most = 60;
 
-    std::string shown = text.size() > most ? text.substr(0, most - 3) : text;
+    if (text.size() <= most)
+      return "'" + printable(text) + "'";
+    std::size_t end = most - 3;
     // not in the midst of a character of several bytes
-    while (shown.size() < text.size() && !shown.empty() &&
-           (static_cast<unsigned char>(text[shown.size()]) & 0xC0) == 0x80)
-      shown.pop_back();
-    for (char &c : shown)
-      if (std::iscntrl(static_cast<unsigned char>(c)))
-        c = '?';
-    return "'" + shown + (shown.size() < text.size() ? "...'" : "'");
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80)
+      --end;
+    return "'" + printable(text.substr(0, end)) + "...'";
+  }
+
+  std::string
+  quoted_name(const std::string &name)
+  {
+    constexpr std::size_t longest_path = 4096;
+
+    return name.size() > longest_path ? quoted(name) :
+                                        "'" + printable(name) + "'";
   }
 
   unsigned int

@@ -167,12 +167,12 @@ namespace asperity
     require_numeric(const ParameterEntry &entry, const std::string &where)
     {
       if (entry.subsection == "Output")
-        throw InputError(where + ": found " + entry.path() +
+        throw InputError(where + ": found " + quoted_name(entry.path()) +
                          ", on which friction does not depend; expected an "
                          "entry that is not of the subsection Output.");
       for (const char *const kind : {"text", "flag", "file", "choice"})
         if (entry.kind.rfind(kind, 0) == 0)
-          throw InputError(where + ": found " + entry.path() +
+          throw InputError(where + ": found " + quoted_name(entry.path()) +
                            ", whose value is no number; expected an entry that "
                            "takes a number.");
     }
@@ -205,7 +205,7 @@ namespace asperity
       for (const UnusedEntry &unused :
            unused_entries(scene.parameters, scene.declarator))
         if (unused.path == entry)
-          throw InputError(where + ": found " + entry +
+          throw InputError(where + ": found " + quoted_name(entry) +
                            ", on which the friction of the base scene does "
                            "not depend; it counts only with " +
                            unused.counts_with + ".");
@@ -220,10 +220,9 @@ namespace asperity
       for (const std::string &position : split(positions, ','))
         {
           if (scene.parameters.tool.kind != SurfaceKind::measured)
-            throw InputError(
-              where + ": found '" + position +
-              "', but the tool of the base scene is not measured "
-              "(Tool/Kind); expected nothing.");
+            throw InputError(where + ": found " + quoted(position) +
+                             ", but the tool of the base scene is not measured "
+                             "(Tool/Kind); expected nothing.");
           at(where, [&]() {
             scene.declarator.set(profile_entry, position);
             make_surface(scene.parameters.tool,

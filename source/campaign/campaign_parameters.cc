@@ -218,14 +218,15 @@ namespace asperity
          {std::make_pair("From", input.from), {"To", input.to}})
       if (text.empty())
         throw InputError(parameters.where(path + key) +
-                         ": found nothing for the input " + input.path() +
+                         ": found nothing for the input " +
+                         quoted_name(input.path()) +
                          "; expected an end of its range with a unit, such "
                          "as 300 MPa.");
     for (std::size_t j = 0; j < number; ++j)
       if (inputs[j].path() == input.path())
         throw InputError(parameters.where(path + "Entry") + ": " +
-                         input.path() + " is already " + section(j + 1) +
-                         "; expected each entry once.");
+                         quoted_name(input.path()) + " is already " +
+                         section(j + 1) + "; expected each entry once.");
   }
 
 
@@ -240,7 +241,7 @@ namespace asperity
         throw InputError(parameters.where("Campaign/Profile positions") +
                          ": found " +
                          (position.empty() ? "nothing between two commas" :
-                                             "'" + position + "' twice") +
+                                             quoted(position) + " twice") +
                          "; expected positions that differ.");
   }
 

@@ -1,4 +1,5 @@
 #include <asperity/base/errors.h>
+#include <asperity/base/text.h>
 #include <asperity/base/version.h>
 #include <asperity/campaign/campaign_plan.h>
 #include <asperity/postprocess/summary.h>
@@ -90,24 +91,25 @@ namespace asperity
     try
       {
         if (document.at("format") != plan_format)
-          throw InputError("The file " + path + " has the format " +
-                           document.at("format").dump() + ", but \"" +
-                           plan_format +
+          throw InputError("The file " + quoted_name(path) +
+                           " has the format " + document.at("format").dump() +
+                           ", but \"" + plan_format +
                            "\" is expected; take another output directory.");
         if (document.at("inputs") != to_json(inputs_) ||
             document.at("profiles") != json(profiles))
           throw InputError("The inputs, ranges or profiles are not those of "
                            "the campaign in " +
-                           path + "; take another output directory.");
+                           quoted_name(path) +
+                           "; take another output directory.");
         const std::string change =
           base_scene.change_since(to_record(document.at("base_scene")),
                                   is_of_output);
         if (!change.empty())
           throw InputError("The base scene is not that of the campaign in " +
-                           path + ": " + change +
+                           quoted_name(path) + ": " + change +
                            "; take another output directory.");
         if (document.at("program") != version_line())
-          warning_ = "The campaign in " + path +
+          warning_ = "The campaign in " + quoted_name(path) +
                      " was begun by another program, " +
                      document.at("program").get<std::string>() +
                      ", than the one that goes on with it.";
@@ -119,7 +121,7 @@ namespace asperity
     catch (const json::exception &)
       {
         throw InputError(
-          "The file " + path +
+          "The file " + quoted_name(path) +
           " is not the plan of a campaign as Asperity writes it; "
           "take another output directory.");
       }

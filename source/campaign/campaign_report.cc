@@ -22,7 +22,7 @@ namespace asperity
   {
     /** As a shell takes it for one word. */
     std::string
-    quoted(const std::string &path)
+    shell_word(const std::string &path)
     {
       const bool is_plain =
         path.find_first_not_of("abcdefghijklmnopqrstuvwxyz"
@@ -254,7 +254,7 @@ namespace asperity
     for (const std::string &warning : warnings)
       out << "Warning: " << warning << "\n";
     out << "Ask it: asperity predict "
-        << quoted(directory + "/friction_law.json")
+        << shell_word(directory + "/friction_law.json")
         << example_arguments(law.description()) << "\n"
         << "Pictures: tools/plot_law.py " << directory << "\n";
   }

@@ -24,7 +24,7 @@ namespace asperity
       };
       if (names(tests) != names(own))
         throw InputError("entry 'Campaign/Design/Test table': the inputs of " +
-                         path + " are " + names(tests) +
+                         quoted_name(path) + " are " + names(tests) +
                          "; expected those of this campaign, " + names(own) +
                          ".");
       return tests.data(SampleRole::test, own.outputs()[0].name);
@@ -265,8 +265,8 @@ namespace asperity
         std::to_string(plan.inputs().size()) +
         (plan.inputs().size() == 1 ? " input" : " inputs") + ", which needs " +
         std::to_string(plan.inputs().size() + 2) +
-        "; what the others lack stands in " + parameters.directory +
-        "/runs.csv.");
+        "; what the others lack stands in " +
+        quoted_name(parameters.directory + "/runs.csv") + ".");
     FrictionLawDescription description;
     description.inputs       = plan.inputs();
     description.output       = table_.outputs()[0].name;

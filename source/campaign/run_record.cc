@@ -1,4 +1,5 @@
 #include <asperity/base/errors.h>
+#include <asperity/base/text.h>
 #include <asperity/campaign/run_record.h>
 #include <asperity/contact_zone/scene_computation.h>
 #include <asperity/postprocess/summary.h>
@@ -201,14 +202,14 @@ namespace asperity
       {
         if (document.at("inputs") != values_of(order))
           throw InputError(
-            "The file " + path + " holds a run at " +
+            "The file " + quoted_name(path) + " holds a run at " +
             document.at("inputs").dump() + ", where the campaign expects " +
             values_of(order).dump() + "; take another output directory.");
         return parse(document);
       }
     catch (const json::exception &)
       {
-        throw InputError("The file " + path +
+        throw InputError("The file " + quoted_name(path) +
                          " is not the record of a run as Asperity writes it; "
                          "remove it, so that the run is computed again.");
       }

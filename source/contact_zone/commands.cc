@@ -163,7 +163,8 @@ namespace asperity
       try
         {
           output.write_checkpoint(run);
-          return " The last good state is in " + directory + "/checkpoint.";
+          return " The last good state is in " +
+                 quoted_name(directory + "/checkpoint") + ".";
         }
       catch (const ComputationError &)
         {

@@ -1,6 +1,7 @@
 #include <asperity/base/command_options.h>
 #include <asperity/base/environment.h>
 #include <asperity/base/errors.h>
+#include <asperity/base/text.h>
 #include <asperity/contact_zone/commands.h>
 #include <asperity/contact_zone/scene_choice.h>
 #include <asperity/topography/make_profile.h>
@@ -40,7 +41,8 @@ namespace asperity
             }
           catch (const InputError &error)
             {
-              throw InputError("Option '" + option + "', " + error.what());
+              throw InputError("Option " + quoted_name(option) + ", " +
+                               error.what());
             }
       if (options.values.count("--oil") != 0)
         settings.emplace_back("Lubrication/Model",
@@ -109,14 +111,14 @@ namespace asperity
       const std::unique_ptr<std::FILE, int (*)(std::FILE *)> file(
         std::fopen(name.c_str(), "wx"), &std::fclose);
       if (!file)
-        throw InputError("The file '" + name +
-                         "' cannot be created in this folder.");
+        throw InputError("The file " + quoted_name(name) +
+                         " cannot be created in this folder.");
       if (std::fwrite(text.data(), 1, text.size(), file.get()) != text.size() ||
           std::fflush(file.get()) != 0)
         {
           std::filesystem::remove(name);
-          throw ComputationError("The file '" + name +
-                                 "' cannot be written in full.");
+          throw ComputationError("The file " + quoted_name(name) +
+                                 " cannot be written in full.");
         }
     }
 
@@ -149,8 +151,8 @@ namespace asperity
     const std::string name = std::filesystem::path(map.file).stem().string();
     const std::string prm  = name + ".prm";
     if (std::filesystem::exists(prm))
-      throw InputError("The file '" + prm +
-                       "' is here already and is not overwritten; rename or "
+      throw InputError("The file " + quoted_name(prm) +
+                       " is here already and is not overwritten; rename or "
                        "remove it, or start in another folder.");
     const EntryValues settings = settings_of(options);
     try

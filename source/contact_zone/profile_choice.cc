@@ -1,4 +1,5 @@
 #include <asperity/base/errors.h>
+#include <asperity/base/text.h>
 #include <asperity/topography/gaussian_filter.h>
 #include <asperity/topography/typical_profile.h>
 
@@ -71,8 +72,8 @@ namespace asperity
                      "three pixels of " +
                      um(pixel) + ".";
     if (wave > coarsest_wave)
-      throw InputError("The pixels of '" + choice.topography.file + "' are " +
-                       um(pixel) +
+      throw InputError("The pixels of " + quoted_name(choice.topography.file) +
+                       " are " + um(pixel) +
                        " wide, and show nothing of the asperities of a "
                        "contact zone; pixels of 60 um or less are expected.");
     while (true)
@@ -142,8 +143,8 @@ namespace asperity
           }
       }
     if (available < fewest_waves * wave)
-      throw InputError("'" + choice.topography.file +
-                       "' is too small for a scene: with "
+      throw InputError(quoted_name(choice.topography.file) +
+                       " is too small for a scene: with "
                        "pixels of " +
                        um(std::max(map.dx, map.dy)) + " it shows waves from " +
                        um(wave) + " on, and its profiles are " + um(available) +
@@ -236,9 +237,9 @@ namespace asperity
     choice.rms_slope                  = roughness.Rdq;
     choice.largest_slope              = surface.largest_slope();
     if (!(choice.peak_to_valley > 0.))
-      throw InputError("Nothing is left of the roughness of '" +
-                       choice.topography.file +
-                       "' behind its filters; a rougher surface or a finer "
+      throw InputError("Nothing is left of the roughness of " +
+                       quoted_name(choice.topography.file) +
+                       " behind its filters; a rougher surface or a finer "
                        "map is expected.");
     if (choice.largest_slope > steepest)
       choice.warnings.push_back(

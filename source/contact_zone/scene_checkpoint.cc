@@ -1,5 +1,6 @@
 #include <asperity/base/archive.h>
 #include <asperity/base/errors.h>
+#include <asperity/base/text.h>
 #include <asperity/contact_zone/scene_checkpoint.h>
 
 #include <algorithm>
@@ -118,14 +119,15 @@ namespace asperity
     const std::string       change =
       inputs.change_since(found.checkpoint.inputs, may_differ_on_restart);
     if (!change.empty())
-      throw InputError("the checkpoint " + found.path +
+      throw InputError("the checkpoint " + quoted_name(found.path) +
                        " is of a run with other inputs: " + change +
                        "; expected the inputs of that run, or a new run "
                        "(false).");
     if (found.checkpoint.program != program)
-      found.warnings.push_back(
-        "The checkpoint " + found.path + " was written by another program, " +
-        found.checkpoint.program + ", than the one that goes on from it.");
+      found.warnings.push_back("The checkpoint " + quoted_name(found.path) +
+                               " was written by another program, " +
+                               found.checkpoint.program +
+                               ", than the one that goes on from it.");
     return found;
   }
 } // namespace asperity

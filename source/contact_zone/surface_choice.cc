@@ -1,4 +1,5 @@
 #include <asperity/base/errors.h>
+#include <asperity/base/text.h>
 #include <asperity/topography/form_removal.h>
 
 #include <algorithm>
@@ -29,8 +30,8 @@ namespace asperity
     map                    = treat_map(choice.topography, report);
     choice.topography.declare(declarator);
     if (!(areal_roughness(map).Sq > 0.))
-      throw InputError("All heights of '" + given.file +
-                       "' are equal; a rough surface is expected.");
+      throw InputError("All heights of " + quoted_name(given.file) +
+                       " are equal; a rough surface is expected.");
   }
 
 
@@ -154,8 +155,8 @@ namespace asperity
       }
     map = best;
     if (!(Sq(map) > 1e-6 * tilted) || !(Sq(map) > 1e-12))
-      throw InputError("'" + choice.topography.file +
-                       "' is a smooth form without roughness; a rough "
+      throw InputError(quoted_name(choice.topography.file) +
+                       " is a smooth form without roughness; a rough "
                        "surface is expected.");
     if (degree == 1)
       set("F-operator",

@@ -4,6 +4,7 @@
 #include <asperity/base/mpi_session.h>
 #include <asperity/base/parameter_file.h>
 #include <asperity/base/progress.h>
+#include <asperity/base/text.h>
 #include <asperity/base/version.h>
 #include <asperity/contact_zone/scene_checkpoint.h>
 #include <asperity/fluid_structure/commands.h>
@@ -169,9 +170,9 @@ namespace asperity
       catch (const ComputationError &error)
         {
           output.write_checkpoint(run);
-          throw ComputationError(std::string(error.what()) +
-                                 " The last good state is in " +
-                                 parameters.output.directory + "/checkpoint.");
+          throw ComputationError(
+            std::string(error.what()) + " The last good state is in " +
+            quoted_name(parameters.output.directory + "/checkpoint") + ".");
         }
     }
 

@@ -1,4 +1,5 @@
 #include <asperity/base/errors.h>
+#include <asperity/base/text.h>
 #include <asperity/fluid_structure/problem_parameters.h>
 
 #include <algorithm>
@@ -232,10 +233,10 @@ namespace asperity
                                        });
         if (user != users_of_entries().end() &&
             user->second.count(problem.kind) == 0)
-          list += (list.empty() ? "'" : ", '") + entry.path() + "'";
+          list += (list.empty() ? "" : ", ") + quoted_name(entry.path());
       }
     return list.empty() ? "" :
-                          "The problem '" + name(problem.kind) +
-                            "' does not use the entries " + list + ".";
+                          "The problem " + quoted_name(name(problem.kind)) +
+                            " does not use the entries " + list + ".";
   }
 } // namespace asperity

@@ -41,8 +41,9 @@ namespace asperity
           missing.push_back(option_of(law, input) + " \"" +
                             in_unit(input.lower, input) + "\"");
       if (!missing.empty())
-        throw InputError("The law of '" + law.output + "' also needs " +
-                         join(missing, ", ") + ", for example.");
+        throw InputError("The law of " + quoted_name(law.output) +
+                         " also needs " + join(missing, ", ") +
+                         ", for example.");
       return point;
     }
 
@@ -56,7 +57,7 @@ namespace asperity
       for (const double slope : at.gradient)
         finite = finite && std::isfinite(slope);
       if (!finite)
-        throw InputError("The law in " + path +
+        throw InputError("The law in " + quoted_name(path) +
                          " gives no finite number at this point: the file is "
                          "damaged, or the point is absurd.");
     }
@@ -162,8 +163,8 @@ namespace asperity
         return FrictionGridOptions().units;
       if (name == "SI")
         return {{"Pa", "m/s", "K"}};
-      throw InputError("The option '--units' is '" + name +
-                       "'; 'mm' (mm, s, MPa, degC) or 'SI' is expected.");
+      throw InputError("The option '--units' is " + quoted_name(name) +
+                       "; 'mm' (mm, s, MPa, degC) or 'SI' is expected.");
     }
 
     void

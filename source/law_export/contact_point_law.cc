@@ -41,13 +41,13 @@ namespace asperity
               if (std::find(symbols.begin(), symbols.end(), input.symbol) !=
                   symbols.end())
                 continue;
-              names.push_back("'" + input.name + "'");
+              names.push_back(quoted_name(input.name));
               known = known || key == input.name || key == input.symbol;
             }
           if (!known)
             throw InputError(
-              "A value is given for '" + key +
-              "', but the friction law has no such input beside pressure, "
+              "A value is given for " + quoted_name(key) +
+              ", but the friction law has no such input beside pressure, "
               "velocity and temperature; " +
               (names.empty() ? "it has no others." :
                                "its others are " + join(names, ", ") + "."));
@@ -62,10 +62,11 @@ namespace asperity
       if (value == nullptr && input.reference)
         value = &*input.reference;
       if (value == nullptr)
-        throw InputError("The friction law also depends on '" + input.name +
-                         "'; a value of it is expected, " + range(input) + ".");
+        throw InputError("The friction law also depends on " +
+                         quoted_name(input.name) +
+                         "; a value of it is expected, " + range(input) + ".");
       if (!(*value >= input.lower && *value <= input.upper))
-        throw InputError("The value of '" + input.name + "' is " +
+        throw InputError("The value of " + quoted_name(input.name) + " is " +
                          format_quantity(*value, input.unit, 6) +
                          "; a value inside of the training data is expected, " +
                          range(input) + ".");
@@ -91,8 +92,8 @@ namespace asperity
   {
     const FrictionLawDescription &description = law.description();
     if (!is_friction_coefficient(description.output))
-      throw InputError("The law is one of '" + description.output +
-                       "'; a law of 'mu' is expected.");
+      throw InputError("The law is one of " + quoted_name(description.output) +
+                       "; a law of 'mu' is expected.");
     require_known(fixed, description.inputs);
     for (const LawInput &input : description.inputs)
       {

@@ -1,5 +1,6 @@
 #include <asperity/base/errors.h>
 #include <asperity/base/quantity.h>
+#include <asperity/base/text.h>
 #include <asperity/law_export/friction_grid.h>
 
 #include <algorithm>
@@ -65,7 +66,7 @@ namespace asperity
       {Dimension::stress, Dimension::velocity, Dimension::temperature}};
     for (unsigned int c = 0; c < 3; ++c)
       if (dimension_of(options.units[c]) != dimensions[c])
-        throw InputError("The unit '" + options.units[c] + "' for " +
+        throw InputError("The unit " + quoted_name(options.units[c]) + " for " +
                          ContactPointLaw::symbols()[c] +
                          " in a friction table is none of a " +
                          to_string(dimensions[c]) + ".");

@@ -36,7 +36,7 @@ namespace asperity
     {
       std::vector<std::string> names;
       for (const LawInput &input : law.inputs)
-        names.push_back("'" + input.name + "' (" + input.symbol + ")");
+        names.push_back(quoted_name(input.name) + " (" + input.symbol + ")");
       return join(names, ", ");
     }
   } // namespace
@@ -68,8 +68,8 @@ namespace asperity
     std::string suggestion;
     for (const LawInput &input : law.inputs)
       if (suggestion.empty() && edit_distance(key, input.name) <= 3)
-        suggestion = "did you mean '" + input.name + "'?";
-    throw InputError("The law has no input '" + key + "'; " +
+        suggestion = "did you mean " + quoted_name(input.name) + "?";
+    throw InputError("The law has no input " + quoted_name(key) + "; " +
                      (suggestion.empty() ?
                         "its inputs are " + quoted_names(law) + "." :
                         suggestion));
@@ -86,15 +86,16 @@ namespace asperity
       {
         const std::size_t equals = setting.find('=');
         if (equals == std::string::npos)
-          throw InputError("The setting '" + setting +
-                           "' is not understood; \"name = value unit\" is "
+          throw InputError("The setting " + quoted(setting) +
+                           " is not understood; \"name = value unit\" is "
                            "expected.");
         const LawInput &input =
           find_input(law, trim(setting.substr(0, equals)));
         const double value =
           parse_input(input, setting.substr(equals + 1), "--set");
         if (!result.emplace(input.name, value).second)
-          throw InputError("The input '" + input.name + "' is set twice.");
+          throw InputError("The input " + quoted_name(input.name) +
+                           " is set twice.");
       }
     return result;
   }
@@ -118,9 +119,9 @@ namespace asperity
         }
       known.insert(known.end(), own.begin(), own.end());
       known.push_back("--set");
-      throw InputError("'asperity " + command + "' has no option '" + option +
-                       "' for this law; its options are " + join(known, ", ") +
-                       ".");
+      throw InputError("'asperity " + command + "' has no option " +
+                       quoted_name(option) + " for this law; its options are " +
+                       join(known, ", ") + ".");
     }
   } // namespace
 
@@ -139,8 +140,9 @@ namespace asperity
           continue;
         const LawInput &input = input_of_option(law, option, command, own);
         if (!given.emplace(input.name, parse_input(input, text, option)).second)
-          throw InputError("The input '" + input.name + "' is given by '" +
-                           option + "' and once more.");
+          throw InputError("The input " + quoted_name(input.name) +
+                           " is given by " + quoted_name(option) +
+                           " and once more.");
       }
     return given;
   }
@@ -158,8 +160,8 @@ namespace asperity
       }
     catch (const InputError &error)
       {
-        throw InputError("Option '" + option + "', input '" + input.name +
-                         "': " + error.what() + ".");
+        throw InputError("Option " + quoted_name(option) + ", input " +
+                         quoted_name(input.name) + ": " + error.what() + ".");
       }
   }
 } // namespace asperity

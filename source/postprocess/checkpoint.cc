@@ -2,6 +2,7 @@
 #include <asperity/base/atomic_file.h>
 #include <asperity/base/errors.h>
 #include <asperity/base/md5.h>
+#include <asperity/base/text.h>
 #include <asperity/postprocess/checkpoint.h>
 
 #include <algorithm>
@@ -30,15 +31,15 @@ namespace asperity
     check_identity(const Head &head, const std::string &path)
     {
       if (std::memcmp(head.word, Head().word, sizeof(head.word)) != 0)
-        throw InputError("The file " + path +
+        throw InputError("The file " + quoted_name(path) +
                          " is not a checkpoint: it does not begin with the "
                          "word ASPERITY.");
       if (head.order != Head().order)
-        throw InputError("The checkpoint " + path +
+        throw InputError("The checkpoint " + quoted_name(path) +
                          " was written on a machine of another byte order.");
       if (head.version != Checkpoint::format_version)
-        throw InputError("The checkpoint " + path + " has format version " +
-                         std::to_string(head.version) +
+        throw InputError("The checkpoint " + quoted_name(path) +
+                         " has format version " + std::to_string(head.version) +
                          ", but this program reads version " +
                          std::to_string(Checkpoint::format_version) +
                          "; expected one of a run of this program.");
@@ -52,7 +53,7 @@ namespace asperity
       in.read(reinterpret_cast<char *>(&head), sizeof(head));
       const auto n_read = static_cast<std::size_t>(in.gcount());
       if (n_read < size_of_identity)
-        throw InputError("The file " + path +
+        throw InputError("The file " + quoted_name(path) +
                          " is not a checkpoint: it is shorter than the head "
                          "of one.");
       check_identity(head, path);
@@ -63,7 +64,7 @@ namespace asperity
                                   static_cast<std::int64_t>(size) -
                                     static_cast<std::int64_t>(sizeof(head));
       if (rest < 0 || static_cast<std::uint64_t>(rest) != head.length)
-        throw InputError("The checkpoint " + path + " holds " +
+        throw InputError("The checkpoint " + quoted_name(path) + " holds " +
                          std::to_string(std::max<std::int64_t>(0, rest)) +
                          " bytes behind its head, but " +
                          std::to_string(head.length) +
@@ -99,18 +100,22 @@ namespace asperity
   {
     std::ifstream in(path, std::ios::binary);
     if (!in)
-      throw InputError("The checkpoint " + path + " could not be opened.");
+      throw InputError("The checkpoint " + quoted_name(path) +
+                       " could not be opened.");
     const Head  head = read_head(in, path);
     std::string bytes(head.length, '\0');
     in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     const std::string expected(head.checksum, sizeof(head.checksum));
     if (!in || md5(bytes) != expected)
-      throw InputError("The checkpoint " + path +
+      throw InputError("The checkpoint " + quoted_name(path) +
                        " is damaged: its checksum does not fit its content.");
     Checkpoint checkpoint;
-    from_bytes(bytes, "The checkpoint " + path, [&](InputArchive &archive) {
-      archive >> checkpoint.program >> checkpoint.inputs >> checkpoint.state;
-    });
+    from_bytes(bytes,
+               "The checkpoint " + quoted_name(path),
+               [&](InputArchive &archive) {
+                 archive >> checkpoint.program >> checkpoint.inputs >>
+                   checkpoint.state;
+               });
     return checkpoint;
   }
 } // namespace asperity

@@ -1,4 +1,5 @@
 #include <asperity/base/errors.h>
+#include <asperity/base/text.h>
 #include <asperity/postprocess/checkpoint.h>
 
 #include <algorithm>
@@ -80,8 +81,8 @@ namespace asperity
         {
           found.warnings.emplace_back(error.what());
         }
-    std::string message =
-      "The folder " + folder + " holds no checkpoint to restart from";
+    std::string message = "The folder " + quoted_name(folder) +
+                          " holds no checkpoint to restart from";
     if (step)
       message += " at step " + std::to_string(*step);
     message += found.warnings.empty() ? "." : ": " + found.warnings.front();

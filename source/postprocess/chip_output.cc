@@ -1,3 +1,4 @@
+#include <asperity/base/text.h>
 #include <asperity/isogeometric/spline_space.h>
 #include <asperity/postprocess/chip_output.h>
 
@@ -52,9 +53,10 @@ namespace asperity
                const std::size_t  expected)
     {
       if (found != expected)
-        throw ComputationError("The field '" + name + "' of the chip has " +
-                               std::to_string(found) + " numbers, but " +
-                               std::to_string(expected) + " are expected.");
+        throw ComputationError("The field " + quoted_name(name) +
+                               " of the chip has " + std::to_string(found) +
+                               " numbers, but " + std::to_string(expected) +
+                               " are expected.");
     }
   } // namespace
 

@@ -1,4 +1,5 @@
 #include <asperity/base/errors.h>
+#include <asperity/base/text.h>
 #include <asperity/postprocess/output_folder.h>
 
 #include <filesystem>
@@ -62,8 +63,8 @@ namespace asperity
         "a run" :
         "";
     if (!found.empty())
-      throw InputError(where + ": the folder '" + directory +
-                       "' holds the results of " + found +
+      throw InputError(where + ": the folder " + quoted_name(directory) +
+                       " holds the results of " + found +
                        "; expected a folder of its own.");
   }
 

@@ -1,3 +1,4 @@
+#include <asperity/base/text.h>
 #include <asperity/postprocess/polyline.h>
 
 #include "vtu_patches.h"
@@ -13,10 +14,10 @@ namespace asperity
                const std::size_t         expected)
     {
       if (values.size() != expected)
-        throw ComputationError("The field '" + name + "' of a line has " +
-                               std::to_string(values.size()) +
-                               " values, but the line has " +
-                               std::to_string(expected) + " points.");
+        throw ComputationError(
+          "The field " + quoted_name(name) + " of a line has " +
+          std::to_string(values.size()) + " values, but the line has " +
+          std::to_string(expected) + " points.");
     }
   } // namespace
 

@@ -1,6 +1,7 @@
 #include <asperity/base/atomic_file.h>
 #include <asperity/base/errors.h>
 #include <asperity/base/json_file.h>
+#include <asperity/base/text.h>
 #include <asperity/postprocess/summary.h>
 
 #include <nlohmann/json.hpp>
@@ -17,8 +18,8 @@ namespace asperity
                    const std::string            &path)
     {
       if (value.is_number_float() && !std::isfinite(value.get<double>()))
-        throw ComputationError("The value of '" + key + "' for " + path +
-                               " is not a finite number.");
+        throw ComputationError("The value of " + quoted_name(key) + " for " +
+                               quoted_name(path) + " is not a finite number.");
       if (value.is_structured())
         for (const auto &[name, item] : value.items())
           require_finite(item, key + "/" + name, path);

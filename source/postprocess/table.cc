@@ -1,5 +1,6 @@
 #include <asperity/base/atomic_file.h>
 #include <asperity/base/errors.h>
+#include <asperity/base/text.h>
 #include <asperity/postprocess/table.h>
 
 #include <cerrno>
@@ -41,7 +42,7 @@ namespace asperity
       out << line << std::flush;
       if (!out)
         throw ComputationError(
-          "The table " + path +
+          "The table " + quoted_name(path) +
           " could not be extended: " + reason_of_failure(errno) + ".");
     }
   } // namespace
@@ -58,8 +59,8 @@ namespace asperity
     for (const TableColumn &column : columns)
       if ((column.name + column.people_name).find_first_of(",\"\n") !=
           std::string::npos)
-        throw InputError("The heading '" + column.name + "' of the table " +
-                         path +
+        throw InputError("The heading " + quoted_name(column.name) +
+                         " of the table " + quoted_name(path) +
                          " holds a comma, a quote or a line break, which "
                          "would break the table apart.");
     out = open_table(path, columns, false);
@@ -74,16 +75,16 @@ namespace asperity
   {
     if (row.size() != columns.size())
       throw ComputationError("A row of " + std::to_string(row.size()) +
-                             " numbers was given to the table " + path +
-                             ", which has " + std::to_string(columns.size()) +
-                             " columns.");
+                             " numbers was given to the table " +
+                             quoted_name(path) + ", which has " +
+                             std::to_string(columns.size()) + " columns.");
     std::string line, people_line;
     for (std::size_t i = 0; i < row.size(); ++i)
       {
         if (!std::isfinite(row[i]))
-          throw ComputationError("The value of '" + columns[i].name +
-                                 "' for the table " + path +
-                                 " is not a finite number.");
+          throw ComputationError(
+            "The value of " + quoted_name(columns[i].name) + " for the table " +
+            quoted_name(path) + " is not a finite number.");
         const std::string separator = i + 1 < row.size() ? "," : "\n";
         line += shortest_decimal(row[i]) + separator;
         // Twelve digits hide that 0.3 MPa times 1e6 is not quite 300000.

@@ -2,6 +2,7 @@
 #define asperity_postprocess_vtu_patches_h
 
 #include <asperity/base/errors.h>
+#include <asperity/base/text.h>
 
 #include <deal.II/base/data_out_base.h>
 
@@ -74,9 +75,10 @@ namespace asperity
           for (unsigned int i = 0; i < patch.data.n_cols(); ++i)
             if (!std::isfinite(static_cast<float>(patch.data(row, i))))
               throw ComputationError(
-                "The field '" +
-                (row < n_fields() ? row_fields[row] : "position [m]") +
-                "' holds a number that is not finite; no picture was "
+                "The field " +
+                quoted_name(row < n_fields() ? row_fields[row] :
+                                               "position [m]") +
+                " holds a number that is not finite; no picture was "
                 "written.");
       }
 

@@ -1,4 +1,5 @@
 #include <asperity/base/errors.h>
+#include <asperity/base/text.h>
 #include <asperity/surrogate/design.h>
 #include <asperity/surrogate/random_numbers.h>
 
@@ -32,9 +33,10 @@ namespace asperity
                          "input with a range is expected.");
       for (const LawInput &input : inputs)
         {
-          const std::string range =
-            "The range of the input '" + input.name + "' goes from " +
-            std::to_string(input.lower) + " to " + std::to_string(input.upper);
+          const std::string range = "The range of the input " +
+                                    quoted_name(input.name) + " goes from " +
+                                    std::to_string(input.lower) + " to " +
+                                    std::to_string(input.upper);
           if (!(input.lower < input.upper) || !std::isfinite(input.lower) ||
               !std::isfinite(input.upper))
             throw InputError(range + ", but must be finite and not empty.");

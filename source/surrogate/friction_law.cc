@@ -1,5 +1,6 @@
 #include <asperity/base/errors.h>
 #include <asperity/base/quantity.h>
+#include <asperity/base/text.h>
 #include <asperity/surrogate/friction_law.h>
 
 #include <algorithm>
@@ -15,12 +16,6 @@ namespace asperity
       return scale == Scale::logarithmic ? std::log(x) : x;
     }
 
-    std::string
-    in_quotes(const std::string &text)
-    {
-      return "'" + text + "'";
-    }
-
     void
     check_input(const LawInput &input, const std::string &origin)
     {
@@ -29,12 +24,12 @@ namespace asperity
                                   "symbol; each needs both.");
       if (!(std::isfinite(input.upper - input.lower) &&
             input.lower < input.upper))
-        throw InputError(origin + ": The input " + in_quotes(input.name) +
+        throw InputError(origin + ": The input " + quoted_name(input.name) +
                          " ranges from " + format_number(input.lower) + " to " +
                          format_number(input.upper) +
                          "; a finite range that increases is expected.");
       if (input.scale == Scale::logarithmic && input.lower <= 0.)
-        throw InputError(origin + ": The input " + in_quotes(input.name) +
+        throw InputError(origin + ": The input " + quoted_name(input.name) +
                          " has a logarithmic scale and starts at " +
                          format_number(input.lower) +
                          "; a positive lower end is expected.");
@@ -48,8 +43,8 @@ namespace asperity
           if (inputs[i].name == inputs[j].name ||
               inputs[i].symbol == inputs[j].symbol)
             throw InputError(origin + ": The inputs " +
-                             in_quotes(inputs[j].name) + " and " +
-                             in_quotes(inputs[i].name) +
+                             quoted_name(inputs[j].name) + " and " +
+                             quoted_name(inputs[i].name) +
                              " of the law have one name or symbol; different "
                              "ones are expected.");
     }
@@ -64,10 +59,11 @@ namespace asperity
         {
           if (!std::isfinite(data.y[j]))
             throw InputError(origin + number + std::to_string(j + 1) + " of " +
-                             in_quotes(description.output) + " is not finite.");
+                             quoted_name(description.output) +
+                             " is not finite.");
           if (description.output_scale == Scale::logarithmic && data.y[j] <= 0.)
             throw InputError(origin + number + std::to_string(j + 1) + " of " +
-                             in_quotes(description.output) + " is " +
+                             quoted_name(description.output) + " is " +
                              format_number(data.y[j]) +
                              "; on a logarithmic scale all must be positive.");
           if (!data.known_deviation.empty() &&
@@ -75,7 +71,7 @@ namespace asperity
                 data.known_deviation[j] >= 0.))
             throw InputError(origin + ": The known deviation of value number " +
                              std::to_string(j + 1) + " of " +
-                             in_quotes(description.output) +
+                             quoted_name(description.output) +
                              " is negative or not finite.");
         }
     }
@@ -94,9 +90,10 @@ namespace asperity
                          margin   = FrictionLaw::edge_tolerance *
                                   (input.upper - input.lower);
             if (!(x >= input.lower - margin && x <= input.upper + margin))
-              throw InputError(origin + ": The input " + in_quotes(input.name) +
-                               " of point number " + std::to_string(j + 1) +
-                               " is " + format_number(x) + "; its range is " +
+              throw InputError(origin + ": The input " +
+                               quoted_name(input.name) + " of point number " +
+                               std::to_string(j + 1) + " is " +
+                               format_number(x) + "; its range is " +
                                format_number(input.lower) + " to " +
                                format_number(input.upper) + " (SI units).");
           }

@@ -1,6 +1,7 @@
 #include <asperity/base/atomic_file.h>
 #include <asperity/base/errors.h>
 #include <asperity/base/json_file.h>
+#include <asperity/base/text.h>
 #include <asperity/surrogate/friction_law.h>
 
 #include <cmath>
@@ -149,8 +150,8 @@ namespace asperity
           content["format"] != format_name)
         throw InputError(origin +
                          ": The document is no friction law: its entry "
-                         "'format' must be '" +
-                         format_name + "'.");
+                         "'format' must be " +
+                         quoted_name(format_name) + ".");
       const LawNode version = law.child("version");
       for (int known = oldest_version; known <= format_version; ++known)
         if (version.content() == known)

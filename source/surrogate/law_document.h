@@ -3,6 +3,7 @@
 
 #include <asperity/base/errors.h>
 #include <asperity/base/quantity.h>
+#include <asperity/base/text.h>
 
 #include <nlohmann/json.hpp>
 
@@ -31,8 +32,8 @@ namespace asperity
       std::string found = json.dump();
       if (found.size() > 40)
         found = found.substr(0, 37) + "...";
-      throw InputError(origin + ": The entry '" + place +
-                       "' of the friction "
+      throw InputError(origin + ": The entry " + quoted_name(place) +
+                       " of the friction "
                        "law is " +
                        found + "; " + expected + " is expected.");
     }
@@ -45,8 +46,9 @@ namespace asperity
       const auto        position = json.find(key);
       const std::string path     = place.empty() ? key : place + "/" + key;
       if (position == json.end())
-        throw InputError(origin + ": The friction law has no entry '" + path +
-                         "'; every one that Asperity writes is expected.");
+        throw InputError(origin + ": The friction law has no entry " +
+                         quoted_name(path) +
+                         "; every one that Asperity writes is expected.");
       return LawNode(*position, origin, path);
     }
 
@@ -149,7 +151,8 @@ namespace asperity
         {
           if (found == to_string(candidate))
             return candidate;
-          names += (names.empty() ? "'" : " or '") + to_string(candidate) + "'";
+          names +=
+            (names.empty() ? "" : " or ") + quoted_name(to_string(candidate));
         }
       fail(names);
     }

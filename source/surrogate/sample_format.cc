@@ -32,7 +32,7 @@ namespace asperity
 
     /** Always in quotes, in one line. */
     std::string
-    quoted(const std::string &text)
+    csv_cell(const std::string &text)
     {
       std::string result = "\"";
       for (const char c : text)
@@ -53,7 +53,7 @@ namespace asperity
       for (std::size_t i = 0; i < n_outputs; ++i)
         row += "," + (done ? shortest_decimal(sample.outputs[i]) : "");
       row += "," + (done ? shortest_decimal(sample.deviation) : "");
-      return row + "," + (sample.reason.empty() ? "" : quoted(sample.reason));
+      return row + "," + (sample.reason.empty() ? "" : csv_cell(sample.reason));
     }
 
     /** Lines of a table, and the sentences for what is wrong with them. */
@@ -99,7 +99,7 @@ namespace asperity
           }
         catch (const InputError &error)
           {
-            fail("in the column '" + heading + "' " + error.what());
+            fail("in the column " + quoted_name(heading) + " " + error.what());
           }
       }
 
@@ -113,8 +113,9 @@ namespace asperity
           return first;
         if (field == to_string(second))
           return second;
-        fail("'" + field + "' was found, but '" + to_string(first) + "' or '" +
-             to_string(second) + "' is expected");
+        fail(quoted(field) + " was found, but " +
+             quoted_name(to_string(first)) + " or " +
+             quoted_name(to_string(second)) + " is expected");
       }
 
       LawInput
@@ -166,8 +167,8 @@ namespace asperity
             const std::string &heading = headings[i];
             const auto         bracket = heading.rfind(" [");
             if (bracket == std::string::npos || heading.back() != ']')
-              fail("the heading '" + heading +
-                   "' was found, but a name with its unit in brackets is "
+              fail("the heading " + quoted_name(heading) +
+                   " was found, but a name with its unit in brackets is "
                    "expected");
             result.push_back(
               {heading.substr(0, bracket),
@@ -190,8 +191,8 @@ namespace asperity
         const double id = number(field[0], headings[0]);
         sample.id = static_cast<unsigned int>(id >= 0. && id < 4e9 ? id : 0);
         if (sample.id != id)
-          fail("'" + field[0] +
-               "' was found as the number of a run, but a whole number that is "
+          fail(quoted(field[0]) +
+               " was found as the number of a run, but a whole number that is "
                "not negative is expected");
         sample.role = one_of(field[1], SampleRole::training, SampleRole::test);
         sample.status =
@@ -202,8 +203,9 @@ namespace asperity
           if (sample.status == SampleStatus::done)
             sample.outputs.push_back(number(field[i], headings[i]));
           else if (!field[i].empty())
-            fail("'" + field[i] + "' was found in the column '" + headings[i] +
-                 "', but nothing is expected of a run that failed");
+            fail(quoted(field[i]) + " was found in the column " +
+                 quoted_name(headings[i]) +
+                 ", but nothing is expected of a run that failed");
         if (sample.status == SampleStatus::done)
           {
             sample.deviation = sample.outputs.back();
@@ -313,8 +315,9 @@ namespace asperity
       reader.in_context([&]() { return SampleTable(inputs, outputs); });
     const auto headings = SampleFormat::headings(table);
     if (line != join(headings, ","))
-      reader.fail("'" + line + "' was found, but the headings '" +
-                  join(headings, ",") + "' are expected");
+      // qualified, since std::quoted() would be found for a variable
+      reader.fail(asperity::quoted(line) + " was found, but the headings " +
+                  quoted_name(join(headings, ",")) + " are expected");
     while (reader.next_line(line))
       {
         const Sample sample = reader.sample(line, headings, inputs.size());

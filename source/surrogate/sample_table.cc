@@ -20,9 +20,9 @@ namespace asperity
     {
       if (name.empty() || name != trim(name) ||
           name.find_first_of(",;\"#\n\r") != std::string::npos)
-        throw InputError("The sample table was given the " + what + " '" +
-                         name +
-                         "', but a name without comma, semicolon, quote, "
+        throw InputError("The sample table was given the " + what + " " +
+                         quoted_name(name) +
+                         ", but a name without comma, semicolon, quote, "
                          "number sign and line break is expected.");
     }
 
@@ -37,9 +37,9 @@ namespace asperity
         }
       catch (const InputError &error)
         {
-          throw InputError("The input '" + input.name +
-                           "' of the sample table is measured in " +
-                           input.unit + ", but " + error.what() + ".");
+          throw InputError("The input " + quoted_name(input.name) +
+                           " of the sample table is measured in " + input.unit +
+                           ", but " + error.what() + ".");
         }
     }
 
@@ -105,8 +105,9 @@ namespace asperity
     std::set<std::string> seen;
     for (const std::string &heading : SampleFormat::headings(*this))
       if (!seen.insert(heading).second)
-        throw InputError("Two columns of the sample table would be called '" +
-                         heading + "'; different names are expected.");
+        throw InputError("Two columns of the sample table would be called " +
+                         quoted_name(heading) +
+                         "; different names are expected.");
   }
 
 
@@ -181,8 +182,8 @@ namespace asperity
       names.push_back(known.name);
     const auto found = std::find(names.begin(), names.end(), output);
     if (found == names.end())
-      throw InputError("The sample table has no output '" + output +
-                       "'; it has " + join(names, ", ") + ".");
+      throw InputError("The sample table has no output " + quoted_name(output) +
+                       "; it has " + join(names, ", ") + ".");
     const std::size_t column = found - names.begin();
 
     SampleData data;

@@ -1,6 +1,7 @@
 #include <asperity/base/atomic_file.h>
 #include <asperity/base/errors.h>
 #include <asperity/base/parameters.h>
+#include <asperity/base/text.h>
 #include <asperity/topography/commands.h>
 #include <asperity/topography/file_content.h>
 #include <asperity/topography/read_height_map.h>
@@ -121,8 +122,8 @@ namespace asperity
     std::error_code             error;
     std::filesystem::create_directories(folder, error);
     if (error)
-      throw InputError("The output directory '" + directory +
-                       "' cannot be created: " + error.message() + ".");
+      throw InputError("The output directory " + quoted_name(directory) +
+                       " cannot be created: " + error.message() + ".");
     write_file(folder / "report.json", report_json(report));
     write_file(folder / "topography.svg", report_svg(report));
     write_file(folder / "profile.csv",

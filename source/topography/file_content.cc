@@ -1,7 +1,6 @@
 #include <asperity/base/errors.h>
+#include <asperity/base/text.h>
 #include <asperity/topography/file_content.h>
-
-#include <boost/locale/utf.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -22,21 +21,24 @@ namespace asperity
   {
     std::error_code error;
     if (!std::filesystem::exists(file, error))
-      throw InputError("The surface file '" + file + "' does not exist.");
+      throw InputError("The surface file " + quoted_name(file) +
+                       " does not exist.");
     if (!std::filesystem::is_regular_file(file, error))
-      throw InputError("'" + file + "' is not a file; a surface is expected.");
+      throw InputError(quoted_name(file) +
+                       " is not a file; a surface is expected.");
     const auto size = std::filesystem::file_size(file, error);
     if (error || size > (std::uintmax_t(1) << 32))
-      throw InputError("The surface file '" + file +
-                       "' is larger than 4 GiB; crop it before it is read.");
+      throw InputError("The surface file " + quoted_name(file) +
+                       " is larger than 4 GiB; crop it before it is read.");
 
     std::ifstream in(file, std::ios::binary);
     content.resize(size);
     in.read(content.data(), size);
     if (!in)
-      throw InputError("The surface file '" + file + "' cannot be read.");
+      throw InputError("The surface file " + quoted_name(file) +
+                       " cannot be read.");
     if (content.empty())
-      throw InputError("The surface file '" + file + "' is empty.");
+      throw InputError("The surface file " + quoted_name(file) + " is empty.");
   }
 
   FileContent::FileContent(const std::string &name, const std::string &bytes)
@@ -44,7 +46,7 @@ namespace asperity
     , content(bytes)
   {
     if (content.empty())
-      throw InputError("The surface file '" + file + "' is empty.");
+      throw InputError("The surface file " + quoted_name(file) + " is empty.");
   }
 
   std::string
@@ -59,8 +61,8 @@ namespace asperity
   FileContent::require(const std::size_t offset, const std::size_t length) const
   {
     if (offset > content.size() || length > content.size() - offset)
-      throw InputError("The surface file '" + file + "' is cut off: it has " +
-                       std::to_string(content.size()) +
+      throw InputError("The surface file " + quoted_name(file) +
+                       " is cut off: it has " + std::to_string(content.size()) +
                        " bytes, and its header asks for " +
                        std::to_string(length) + " more from byte " +
                        std::to_string(offset) + " on.");
@@ -69,8 +71,8 @@ namespace asperity
   void
   FileContent::fail(const std::string &format, const std::string &reason) const
   {
-    throw InputError("The surface file '" + file + "' (" + format + ") " +
-                     reason + ".");
+    throw InputError("The surface file " + quoted_name(file) + " (" + format +
+                     ") " + reason + ".");
   }
 
   HeightMap
@@ -164,7 +166,7 @@ namespace asperity
     double            value  = 0.;
     if (!parse_decimal(number, value) || !std::isfinite(value))
       file.fail(format,
-                "has '" + excerpt(number) + "' as " + what +
+                "has " + quoted(number) + " as " + what +
                   "; a number is expected");
     return value;
   }
@@ -178,7 +180,7 @@ namespace asperity
     const double value = parse_number(file, format, what, text);
     if (value != std::floor(value) || std::abs(value) > 1e15)
       file.fail(format,
-                "has '" + excerpt(strip(text)) + "' as " + what +
+                "has " + quoted(strip(text)) + " as " + what +
                   "; a whole number is expected");
     return static_cast<std::int64_t>(value);
   }
@@ -192,40 +194,6 @@ namespace asperity
                         [](const unsigned char c) {
                           return c < 9 || (c > 13 && c < 32) || c == 127;
                         });
-  }
-
-  std::string
-  printable(const std::string &text)
-  {
-    using Utf8 = boost::locale::utf::utf_traits<char>;
-    std::string result;
-    for (auto at = text.begin(); at != text.end();)
-      {
-        const auto begin = at;
-        const auto code  = Utf8::decode(at, text.end());
-        if (!boost::locale::utf::is_valid_codepoint(code))
-          {
-            result += '?';
-            at = begin + 1;
-          }
-        else if (code < 32 || (code >= 127 && code < 160))
-          result += '?';
-        else
-          result.append(begin, at);
-      }
-    return result;
-  }
-
-  std::string
-  excerpt(const std::string &text)
-  {
-    std::string result = printable(text.substr(0, 200));
-    std::size_t end    = 0;
-    for (unsigned int n = 0; n < 40 && end < result.size(); ++n)
-      do
-        ++end;
-      while (end < result.size() && (result[end] & 0xc0) == 0x80);
-    return result.substr(0, end);
   }
 
   std::string

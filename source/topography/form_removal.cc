@@ -1,4 +1,5 @@
 #include <asperity/base/errors.h>
+#include <asperity/base/text.h>
 #include <asperity/splines/banded_solver.h>
 #include <asperity/topography/form_removal.h>
 
@@ -87,13 +88,15 @@ namespace asperity
     if (map.n_valid() < n_coefficients)
       throw InputError("The F-operator of degree " + std::to_string(degree) +
                        " needs " + std::to_string(n_coefficients) +
-                       " valid points, and '" + map.provenance.file + "' has " +
+                       " valid points, and " +
+                       quoted_name(map.provenance.file) + " has " +
                        std::to_string(map.n_valid()) + ".");
     // The second fit removes what the first one left by round-off of the normal
     // equations.
     if (!fit_and_subtract(map, degree) || !fit_and_subtract(map, degree))
-      throw InputError("The valid points of '" + map.provenance.file +
-                       "' do not determine a form of degree " +
+      throw InputError("The valid points of " +
+                       quoted_name(map.provenance.file) +
+                       " do not determine a form of degree " +
                        std::to_string(degree) + "; choose a lower one.");
   }
 } // namespace asperity

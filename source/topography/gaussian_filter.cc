@@ -1,5 +1,6 @@
 #include <asperity/base/errors.h>
 #include <asperity/base/quantity.h>
+#include <asperity/base/text.h>
 #include <asperity/topography/gaussian_filter.h>
 
 #include <algorithm>
@@ -62,8 +63,8 @@ namespace asperity
         throw InputError("The nesting index of the " + name + "-filter, " +
                          format_quantity(nesting_index, "um", 4) +
                          ", is not above two sample spacings, " +
-                         format_quantity(2. * spacing, "um", 4) + ", of '" +
-                         map.provenance.file + "'.");
+                         format_quantity(2. * spacing, "um", 4) + ", of " +
+                         quoted_name(map.provenance.file) + ".");
     }
   } // namespace
 

@@ -1,3 +1,4 @@
+#include <asperity/base/text.h>
 #include <asperity/topography/file_content.h>
 #include <asperity/topography/length_unit.h>
 #include <asperity/topography/read_height_map.h>
@@ -27,8 +28,8 @@ namespace asperity
           const auto equal    = line.find('=');
           if (equal == std::string::npos)
             file.fail(format,
-                      "has the header line '" + excerpt(line) +
-                        "'; 'key = value' is expected");
+                      "has the header line " + quoted(line) +
+                        "; 'key = value' is expected");
           header[strip(line.substr(0, equal))] = strip(line.substr(equal + 1));
         }
       return header;
@@ -46,7 +47,7 @@ namespace asperity
           const double metre = metres_per(name);
           if (metre == 0.)
             file.fail(format,
-                      "has " + key + " = " + excerpt(name) +
+                      "has " + key + " = " + quoted(name) +
                         "; a unit of length is expected for a height map");
           return metre;
         }

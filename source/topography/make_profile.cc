@@ -42,8 +42,8 @@ namespace asperity
         }
       catch (const InputError &error)
         {
-          throw InputError("The entry '" + entry + "' = '" + text +
-                           "': " + error.what());
+          throw InputError("The entry " + quoted_name(entry) + " = " +
+                           quoted(text) + ": " + error.what());
         }
     }
 
@@ -54,8 +54,9 @@ namespace asperity
         return 0.;
       const double metre = metres_per(text);
       if (metre == 0.)
-        throw InputError("The entry '" + entry + "' = '" + text +
-                         "' is no unit of length; m, mm, um, nm or pm is "
+        throw InputError("The entry " + quoted_name(entry) + " = " +
+                         quoted(text) +
+                         " is no unit of length; m, mm, um, nm or pm is "
                          "expected.");
       return metre;
     }
@@ -76,8 +77,8 @@ namespace asperity
         {
           std::string what = map.provenance.warnings.back();
           what.pop_back(); // its full stop
-          throw InputError("The surface file '" + p.file + "': " + what +
-                           "; set both Lateral unit and Height unit.");
+          throw InputError("The surface file " + quoted_name(p.file) + ": " +
+                           what + "; set both Lateral unit and Height unit.");
         }
       return map;
     }
@@ -93,8 +94,9 @@ namespace asperity
         return {0, n};
       const auto dots = text.find("..");
       if (dots == std::string::npos)
-        throw InputError("The entry '" + entry + "' = '" + text +
-                         "' is no range; all, 60 .. 195 or 380 um .. 1250 um "
+        throw InputError("The entry " + quoted_name(entry) + " = " +
+                         quoted(text) +
+                         " is no range; all, 60 .. 195 or 380 um .. 1250 um "
                          "is expected.");
       bool       is_length = false;
       const auto index     = [&](const std::string &part) {
@@ -112,11 +114,11 @@ namespace asperity
       if (is_length && last == n)
         last = n - 1.;
       if (!(first >= 0. && last > first && last < n))
-        throw InputError("The entry '" + entry + "' = '" + text +
-                         "' is empty or leaves the map, which has the samples "
-                         "0 .. " +
-                         std::to_string(n - 1) + " over " +
-                         micrometres(n * spacing) + ".");
+        throw InputError(
+          "The entry " + quoted_name(entry) + " = " + quoted(text) +
+          " is empty or leaves the map, which has the samples "
+          "0 .. " +
+          std::to_string(n - 1) + " over " + micrometres(n * spacing) + ".");
       const auto begin = static_cast<unsigned int>(first);
       return {begin, static_cast<unsigned int>(last) - begin + 1};
     }
@@ -310,8 +312,9 @@ namespace asperity
         missing += std::isnan(z) / static_cast<double>(heights.size());
       if (missing > p.largest_missing_fraction)
         throw InputError(
-          percent(missing) + " of the profile's points are missing in '" +
-          p.file + "', more than the " + percent(p.largest_missing_fraction) +
+          percent(missing) + " of the profile's points are missing in " +
+          quoted_name(p.file) + ", more than the " +
+          percent(p.largest_missing_fraction) +
           " that the entry 'Largest missing fraction' allows; set Crop = "
           "hole-free, or move the profile.");
       report.n_filled = fill_gaps(heights);

@@ -1,4 +1,5 @@
 #include <asperity/base/errors.h>
+#include <asperity/base/text.h>
 #include <asperity/topography/form_removal.h>
 #include <asperity/topography/missing_data.h>
 
@@ -86,7 +87,7 @@ namespace asperity
         window.ny > map.ny || window.column > map.nx - window.nx ||
         window.row > map.ny - window.ny)
       throw InputError(
-        "The crop of '" + map.provenance.file + "' to columns " +
+        "The crop of " + quoted_name(map.provenance.file) + " to columns " +
         std::to_string(window.column) + " .. " +
         std::to_string(std::int64_t(window.column) + window.nx - 1) +
         " and rows " + std::to_string(window.row) + " .. " +

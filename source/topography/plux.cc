@@ -1,3 +1,4 @@
+#include <asperity/base/text.h>
 #include <asperity/topography/file_content.h>
 #include <asperity/topography/read_height_map.h>
 #include <asperity/topography/xml.h>
@@ -56,7 +57,7 @@ namespace asperity
     if (raw.size() < need)
       file.fail(format,
                 "is cut off: its heights need " + std::to_string(need) +
-                  " bytes, and '" + layer + "' has " +
+                  " bytes, and " + quoted_name(layer) + " has " +
                   std::to_string(raw.size()));
     for (std::size_t i = 0; i < map.heights.size(); ++i)
       {

@@ -1,4 +1,5 @@
 #include <asperity/base/errors.h>
+#include <asperity/base/text.h>
 #include <asperity/splines/spline_fit.h>
 #include <asperity/topography/profile.h>
 
@@ -68,9 +69,9 @@ namespace asperity
     too_few(const HeightMap &map, const std::size_t n)
     {
       return "Only " + std::to_string(n) +
-             " samples of the profile lie in the map of '" +
-             map.provenance.file +
-             "'; check its direction, position and "
+             " samples of the profile lie in the map of " +
+             quoted_name(map.provenance.file) +
+             "; check its direction, position and "
              "length.";
     }
 
@@ -125,8 +126,8 @@ namespace asperity
         profile.heights = samples_along_axis(map, line);
       }
     else if (map.ny < 2)
-      throw InputError("'" + map.provenance.file +
-                       "' holds a single profile; its direction is x.");
+      throw InputError(quoted_name(map.provenance.file) +
+                       " holds a single profile; its direction is x.");
     else
       {
         profile.spacing = std::min(map.dx, map.dy);

@@ -1,4 +1,5 @@
 #include <asperity/base/quantity.h>
+#include <asperity/base/text.h>
 #include <asperity/topography/file_content.h>
 #include <asperity/topography/read_height_map.h>
 #include <asperity/topography/text_table.h>

@@ -1,3 +1,4 @@
+#include <asperity/base/text.h>
 #include <asperity/topography/file_content.h>
 #include <asperity/topography/length_unit.h>
 #include <asperity/topography/read_height_map.h>
@@ -51,7 +52,7 @@ namespace asperity
         return metre;
       if (!name.empty())
         file.fail(format,
-                  "has '" + excerpt(name) + "' as unit along " + axis +
+                  "has " + quoted(name) + " as unit along " + axis +
                     "; a unit of length is expected");
       if (given > 0.)
         return given;

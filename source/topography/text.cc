@@ -1,3 +1,4 @@
+#include <asperity/base/text.h>
 #include <asperity/topography/read_height_map.h>
 #include <asperity/topography/text_header.h>
 #include <asperity/topography/text_list.h>
@@ -33,8 +34,7 @@ namespace asperity
     {
       std::string found;
       for (const std::string &line : header.not_understood)
-        found +=
-          (found.empty() ? " (of its header, '" : ", '") + excerpt(line) + "'";
+        found += (found.empty() ? " (of its header, " : ", ") + quoted(line);
       if (!found.empty())
         found += " is no length that is understood)";
       file.fail(format,
@@ -52,7 +52,7 @@ namespace asperity
     {
       if (given > 0. && stated && std::abs(given / *stated - 1.) > 0.01)
         file.fail("text",
-                  "says in its header (" + excerpt(header.lines.front()) +
+                  "says in its header (" + quoted(header.lines.front()) +
                     ", ...) that " + entry + " is " + std::to_string(*stated) +
                     " m or m per unit, and the parameter file gives another; "
                     "leave out the entry, or correct the header");
@@ -77,8 +77,7 @@ namespace asperity
       map.provenance.unit_source = "lines of the header";
       std::string note           = "Reading: the header says ";
       for (const std::string &line : header.lines)
-        note +=
-          (&line == &header.lines.front() ? "'" : ", '") + excerpt(line) + "'";
+        note += (&line == &header.lines.front() ? "" : ", ") + quoted(line);
       map.provenance.notes.push_back(note + ".");
     }
 

@@ -1,3 +1,4 @@
+#include <asperity/base/text.h>
 #include <asperity/topography/text_cells.h>
 #include <asperity/topography/text_table.h>
 
@@ -122,8 +123,8 @@ namespace asperity
                     "holds no line of numbers" +
                       (titles.empty() ?
                          std::string() :
-                         "; line " + std::to_string(titles[0].first) + " is '" +
-                           excerpt(titles[0].second) + "'"));
+                         "; line " + std::to_string(titles[0].first) + " is " +
+                           quoted(titles[0].second)));
         unify_rows();
         check_titles();
         write_notes();
@@ -228,8 +229,8 @@ namespace asperity
       {
         const bool whole_line = row.wrong_column == 0;
         file.fail("text",
-                  "has '" + excerpt(whole_line ? line : row.wrong_cell) +
-                    "' in line " + std::to_string(number) +
+                  "has " + quoted(whole_line ? line : row.wrong_cell) +
+                    " in line " + std::to_string(number) +
                     (whole_line ?
                        std::string() :
                        ", column " + std::to_string(row.wrong_column)) +
@@ -329,7 +330,7 @@ namespace asperity
             std::to_string(table.line_of_row.front()) + " were skipped" +
             (titles.empty() ?
                "" :
-               "; the first title is '" + excerpt(titles[0].second) + "'") +
+               "; the first title is " + quoted(titles[0].second)) +
             ".");
         if (n_comments_between > 0)
           table.notes.push_back(
@@ -365,8 +366,8 @@ namespace asperity
     const Block second = blocks.at(1);
     warnings.push_back("The rows from line " +
                        std::to_string(line_of_row[second.first_row]) +
-                       " on follow '" + excerpt(second.comment) +
-                       "' and are not read: they belong to another channel.");
+                       " on follow " + quoted(second.comment) +
+                       " and are not read: they belong to another channel.");
     line_of_row.resize(second.first_row);
     if (values.size() > second.first_row * n_columns)
       values.resize(second.first_row * n_columns);

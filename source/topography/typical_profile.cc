@@ -1,4 +1,5 @@
 #include <asperity/base/errors.h>
+#include <asperity/base/text.h>
 #include <asperity/topography/missing_data.h>
 #include <asperity/topography/periodic_continuation.h>
 #include <asperity/topography/roughness.h>
@@ -220,8 +221,8 @@ namespace asperity
   {
     std::vector<Piece> pieces = all_pieces(map, direction, length, margin);
     if (pieces.empty())
-      throw InputError("No profile of '" + map.provenance.file +
-                       "' in the direction that was chosen has ten samples.");
+      throw InputError("No profile of " + quoted_name(map.provenance.file) +
+                       " in the direction that was chosen has ten samples.");
     double longest = 0.;
     for (const Piece &piece : pieces)
       longest = std::max(longest, piece.place.length);

@@ -1,5 +1,6 @@
 #include <asperity/base/md5.h>
 #include <asperity/base/quantity.h>
+#include <asperity/base/text.h>
 #include <asperity/topography/file_content.h>
 #include <asperity/topography/read_height_map.h>
 #include <asperity/topography/text_cells.h>
@@ -56,11 +57,11 @@ namespace asperity
       const auto data = strip(tree->get<std::string>("DataType", "D"));
       if (type != "I" && type != "A")
         file.fail(format,
-                  "has '" + excerpt(type) + "' as type of axis " + name +
+                  "has " + quoted(type) + " as type of axis " + name +
                     "; I (incremental) or A (absolute) is expected");
       if (data != "I" && data != "L" && data != "F" && data != "D")
         file.fail(format,
-                  "has '" + excerpt(data) + "' as data type of axis " + name +
+                  "has " + quoted(data) + " as data type of axis " + name +
                     "; I, L, F or D is expected");
       axis.type = type[0];
       axis.data = data[0];
@@ -152,11 +153,10 @@ namespace asperity
       if (name.empty())
         return "";
       if (entry.empty())
-        file.fail(format,
-                  "lacks its list of valid points '" + excerpt(name) + "'");
+        file.fail(format, "lacks its list of valid points " + quoted(name));
       const std::string valid = archive.read(entry, n / 8 + 1024);
       if (valid.size() < (n + 7) / 8)
-        file.fail(format, "has too few bits in '" + printable(entry) + "'");
+        file.fail(format, "has too few bits in " + quoted_name(entry));
       return valid;
     }
 
@@ -178,7 +178,7 @@ namespace asperity
       const auto name  = strip(link.get<std::string>("PointDataLink", ""));
       const auto entry = archive.find(name);
       if (name.empty() || entry.empty())
-        file.fail(format, "lacks its heights '" + excerpt(name) + "'");
+        file.fail(format, "lacks its heights " + quoted(name));
       HeightMap         map   = allocate_map(file,
                                    format,
                                    size.nx,
@@ -192,8 +192,8 @@ namespace asperity
       if (bytes.size() < need)
         file.fail(format,
                   "is cut off: " + std::to_string(n) + " points need " +
-                    std::to_string(need) + " bytes, and '" + printable(entry) +
-                    "' has " + std::to_string(bytes.size()));
+                    std::to_string(need) + " bytes, and " + quoted_name(entry) +
+                    " has " + std::to_string(bytes.size()));
       compare_md5(map,
                   link.get<std::string>("MD5ChecksumPointData", ""),
                   bytes);
@@ -280,8 +280,8 @@ namespace asperity
                   "grid (SUR or PRF) are expected");
       if (feature != "SUR" && feature != "PRF")
         file.fail(format,
-                  "has FeatureType '" + excerpt(feature) +
-                    "'; SUR or PRF is expected");
+                  "has FeatureType " + quoted(feature) +
+                    "; SUR or PRF is expected");
       for (const auto &[axis, name] : {std::make_pair(x, "X"), {y, "Y"}})
         if (axis.type == 'A')
           file.fail(format,

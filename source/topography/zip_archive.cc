@@ -1,5 +1,6 @@
 #include <asperity/base/atomic_file.h>
 #include <asperity/base/errors.h>
+#include <asperity/base/text.h>
 #include <asperity/topography/zip_archive.h>
 
 #include <minizip/unzip.h>
@@ -120,7 +121,7 @@ namespace asperity
     if (unzLocateFile(handle, entry.c_str(), 1) != UNZ_OK ||
         unzGetCurrentFileInfo64(
           handle, &info, nullptr, 0, nullptr, 0, nullptr, 0) != UNZ_OK)
-      file.fail(format, "holds no readable '" + printable(entry) + "'");
+      file.fail(format, "holds no readable " + quoted_name(entry));
     check_unpacked_size(file, format, info.uncompressed_size);
     return info.uncompressed_size;
   }
@@ -132,9 +133,9 @@ namespace asperity
       file.fail(format,
                 "holds " + std::to_string(stated_size(entry)) +
                   " bytes, more than the expected " + std::to_string(max_size) +
-                  ", in '" + printable(entry) + "'");
+                  ", in " + quoted_name(entry));
     if (unzOpenCurrentFile(handle) != UNZ_OK)
-      file.fail(format, "holds no readable '" + printable(entry) + "'");
+      file.fail(format, "holds no readable " + quoted_name(entry));
 
     // In blocks and against the limit, since the stated size may be wrong.
     std::string bytes;
@@ -148,15 +149,15 @@ namespace asperity
             unzCloseCurrentFile(handle);
             file.fail(format,
                       "holds more than the expected " +
-                        std::to_string(max_size) + " bytes in '" +
-                        printable(entry) + "'");
+                        std::to_string(max_size) + " bytes in " +
+                        quoted_name(entry));
           }
       }
     const int closed = unzCloseCurrentFile(handle);
     if (n < 0 || closed != UNZ_OK)
       file.fail(format,
-                "is damaged: the checksum or the compressed data of '" +
-                  printable(entry) + "' is wrong");
+                "is damaged: the checksum or the compressed data of " +
+                  quoted_name(entry) + " is wrong");
     return bytes;
   }
 

@@ -56,7 +56,7 @@ TEST(AtomicFile, names_the_file_and_the_reason_when_a_write_fails)
   setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, old_handler);
   EXPECT_EQ(message,
-            "The file " + path + " could not be written: file too large.");
+            "The file '" + path + "' could not be written: file too large.");
   EXPECT_EQ(n_files(folder), 0u) << "no part of it is left";
 }
 

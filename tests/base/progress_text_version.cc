@@ -76,6 +76,30 @@ TEST(Text, split_and_join_are_inverse)
   EXPECT_TRUE(split("  ", ',').empty());
 }
 
+TEST(Text, that_somebody_wrote_is_quoted_in_part_and_a_name_in_full)
+{
+  EXPECT_EQ(quoted("7 cats"), "'7 cats'");
+  EXPECT_EQ(quoted(""), "''");
+  const std::string sixty(60, 'x');
+  EXPECT_EQ(quoted(sixty), "'" + sixty + "'");
+  EXPECT_EQ(quoted(sixty + "y"), "'" + sixty.substr(3) + "...'");
+  EXPECT_EQ(quoted_name(sixty + "y"), "'" + sixty + "y'");
+  EXPECT_EQ(quoted_name(std::string(4096, 'x')).size(), 4098u);
+  EXPECT_EQ(quoted_name(std::string(4097, 'x')),
+            "'" + std::string(57, 'x') + "...'");
+}
+
+TEST(Text, in_messages_has_no_control_characters_and_no_half_ones)
+{
+  EXPECT_EQ(printable("a\tb\n\x1b[2Jc\x7f"), "a?b??[2Jc?");
+  EXPECT_EQ(printable("M\xC3\xBCller \xE2\x82\xAC"), // umlaut, euro sign
+            "M\xC3\xBCller \xE2\x82\xAC");
+  EXPECT_EQ(printable("\xC2\x9B \xFF \xC3"), "? ? ?");
+  // 56 and 2 bytes: the umlaut would be cut into halves
+  EXPECT_EQ(quoted(std::string(56, 'x') + "\xC3\xBCyyyyyy"),
+            "'" + std::string(56, 'x') + "...'");
+}
+
 TEST(Version, names_the_program_and_its_libraries)
 {
   EXPECT_EQ(version_line().find("asperity " + version() + " ("), 0u);

@@ -81,7 +81,7 @@ TEST_F(Plan, wrong_input_is_refused_in_one_sentence)
               .find("entry 'Campaign/Input 1/To'"),
             std::string::npos);
   EXPECT_NE(refusal(folder, replaced(text(), "Load/Velocity", "Load/Pressure"))
-              .find("Load/Pressure is already Input 1"),
+              .find("'Load/Pressure' is already Input 1"),
             std::string::npos);
   EXPECT_NE(refusal(folder, replaced(text(), "set To = 200 m/min", ""))
               .find("expected an end of its range with a unit"),
@@ -145,8 +145,8 @@ TEST_F(Plan, belongs_to_a_scene_with_the_content_of_its_files)
                                        "file '"),
               0u);
   }
-  const std::string begin = "The base scene is not that of the campaign in " +
-                            (folder / "plan.json").string() + ": ";
+  const std::string begin = "The base scene is not that of the campaign in '" +
+                            (folder / "plan.json").string() + "': ";
   EXPECT_EQ(refusal_of_plan(folder, text())
               .find(begin + "entry 'Tool/Topography/File' was the file '"),
             0u)
@@ -197,7 +197,7 @@ TEST_F(Plan, campaigns_that_cannot_give_a_law_are_refused)
                 " end\nend\n");
   };
   expect(replaced(text(), "Load/Velocity", "Load / Pressure"),
-         "Load/Pressure is already Input 1; expected each entry once.");
+         "'Load/Pressure' is already Input 1; expected each entry once.");
   expect(replaced(text(), "Initial runs = 8", "Initial runs = 3"),
          "found 3 runs; expected at least 4 for a law of 2 inputs");
   expect(design("  set Kind = grid\n  set Grid points = 2.5, 3\n"),
@@ -215,9 +215,10 @@ TEST_F(Plan, campaigns_that_cannot_give_a_law_are_refused)
   expect(replaced(text(), (folder / "out").string(), " "),
          "found nothing; expected a folder for the campaign.");
   expect(replaced(text(), "Load/Velocity", "Mesh/Spans"), "'22.5 m/min'");
-  expect(replaced(text(), "Load/Velocity", "Lubrication/Model"),
-         "found Lubrication/Model, whose value is no number; expected an entry "
-         "that takes a number.");
+  expect(
+    replaced(text(), "Load/Velocity", "Lubrication/Model"),
+    "found 'Lubrication/Model', whose value is no number; expected an entry "
+    "that takes a number.");
   expect(replaced(text(), "Load/Velocity", "Output/Picture interval"),
          "expected an entry that is not of the subsection Output.");
   expect(text("subsection Export\n set Table tolerance = 1\nend\n"),
@@ -339,8 +340,8 @@ TEST_F(Plan, takes_an_oil_film_and_refuses_what_no_model_reads)
   const std::string oil = "subsection Lubrication\n set Model = pocket\n";
   std::ofstream(folder / "scene.prm") << oil << "end\n";
   EXPECT_NE(refusal(folder, by_film)
-              .find("entry 'Campaign/Input 2/Entry': found Lubrication/Oil "
-                    "film, on which the friction of the base scene does not "
+              .find("entry 'Campaign/Input 2/Entry': found 'Lubrication/Oil "
+                    "film', on which the friction of the base scene does not "
                     "depend; it counts only with the Oil amount film "
                     "thickness."),
             std::string::npos)

@@ -133,6 +133,9 @@ TEST_F(Commands, wrong_command_lines_are_refused)
   EXPECT_EQ(errors("a.prm b.prm"),
             "Error: One parameter file is expected, but 'b.prm' follows "
             "'a.prm'.\n");
+  write("two\nlines.prm", "set Presure = 3 MPa\n");
+  EXPECT_EQ(errors("'two\nlines.prm'").find("Error: two?lines.prm, line 1: "),
+            0u);
   EXPECT_EQ(errors("parameters --html"),
             "Error: 'asperity parameters' takes no argument but "
             "'--campaign', '--fluid-structure' and '--markdown'.\n");

@@ -36,9 +36,10 @@ TEST_F(FullDisk, parameters_that_cannot_be_written_are_named_and_not_cut_off)
   write("scene.prm", small_scene);
   const Result result = run("scene.prm", limit(8));
   EXPECT_EQ(result.status, 1);
-  EXPECT_EQ(result.errors,
-            "Error: The file results/parameters.prm could not be written: file "
-            "too large.\n");
+  EXPECT_EQ(
+    result.errors,
+    "Error: The file 'results/parameters.prm' could not be written: file "
+    "too large.\n");
   EXPECT_FALSE(std::filesystem::exists(folder / "results/parameters.prm"));
 }
 
@@ -47,8 +48,9 @@ TEST_F(FullDisk, pictures_that_cannot_be_written_are_named_with_the_reason)
   write("scene.prm", small_scene);
   const Result result = run("scene.prm", limit(80));
   EXPECT_EQ(result.status, 1);
-  EXPECT_EQ(result.errors.find("Error: The file results/chip_000002.vtu could "
-                               "not be written: file too large."),
+  EXPECT_EQ(result.errors.find(
+              "Error: The file 'results/chip_000002.vtu' could "
+              "not be written: file too large."),
             0u)
     << result.errors;
   EXPECT_LT(result.errors.size(), 200u);

@@ -158,7 +158,7 @@ TEST_F(Restart, a_run_that_gives_up_leaves_its_state_and_a_sentence)
   EXPECT_EQ(failed.status, 1) << failed.output;
   EXPECT_EQ(failed.errors.find("Error: Step "), 0u) << failed.errors;
   EXPECT_NE(failed.errors.find("failed after 0 cuts"), std::string::npos);
-  EXPECT_NE(failed.errors.find("The last good state is in run/checkpoint."),
+  EXPECT_NE(failed.errors.find("The last good state is in 'run/checkpoint'."),
             std::string::npos)
     << failed.errors;
   EXPECT_EQ(std::count(failed.errors.begin(), failed.errors.end(), '\n'), 1);
@@ -181,7 +181,7 @@ TEST_F(Restart, without_a_checkpoint_is_refused)
   EXPECT_EQ(result.status, 2) << result.output << result.errors;
   EXPECT_EQ(result.errors,
             "Error: scene.prm, line 14, entry 'Output/Restart': The folder "
-            "nowhere/checkpoint holds no checkpoint to restart from.\n");
+            "'nowhere/checkpoint' holds no checkpoint to restart from.\n");
   EXPECT_FALSE(std::filesystem::exists(folder / "nowhere"));
   std::filesystem::create_directories(folder / "nowhere" / "checkpoint");
   EXPECT_EQ(run("scene.prm").errors, result.errors);
@@ -214,11 +214,12 @@ TEST_F(Restart, with_other_inputs_is_refused_and_touches_nothing)
       const std::string name   = entry.substr(0, entry.find(" ="));
       EXPECT_EQ(result.status, 2) << result.output;
       EXPECT_EQ(result.output, "");
-      EXPECT_EQ(result.errors.find("Error: second.prm, line 14, entry "
-                                   "'Output/Restart': the checkpoint "
-                                   "run/checkpoint/step_24.checkpoint is of a "
-                                   "run with other inputs: entry '" +
-                                   section + "/" + name + "' " + change),
+      EXPECT_EQ(result.errors.find(
+                  "Error: second.prm, line 14, entry "
+                  "'Output/Restart': the checkpoint "
+                  "'run/checkpoint/step_24.checkpoint' is of a "
+                  "run with other inputs: entry '" +
+                  section + "/" + name + "' " + change),
                 0u)
         << result.errors;
     }
@@ -313,7 +314,7 @@ TEST_F(Restart, goes_back_to_the_newest_checkpoint_that_is_whole)
   const Result rest = run("second.prm");
   EXPECT_EQ(rest.status, 0) << rest.errors;
   EXPECT_NE(rest.output.find(
-              "Warning: The checkpoint run/checkpoint/step_24.checkpoint"),
+              "Warning: The checkpoint 'run/checkpoint/step_24.checkpoint'"),
             std::string::npos)
     << rest.output;
   EXPECT_NE(rest.output.find("Restart after step 21\n"), std::string::npos);
@@ -328,7 +329,7 @@ TEST_F(Restart, goes_back_to_the_newest_checkpoint_that_is_whole)
     write("run/checkpoint/step_" + std::string(step) + ".checkpoint", old);
   const Result refused = run("second.prm");
   EXPECT_EQ(refused.status, 2);
-  EXPECT_NE(refused.errors.find("step_24.checkpoint has format version 1, but "
+  EXPECT_NE(refused.errors.find("step_24.checkpoint' has format version 1, but "
                                 "this program reads version 2"),
             std::string::npos)
     << refused.errors;
@@ -367,7 +368,7 @@ TEST_F(Restart, a_new_run_removes_the_results_of_the_old_one)
         scene("run", true, "subsection Load\n set Pressure = 900 MPa\nend\n"));
   EXPECT_EQ(run("third.prm").errors,
             "Error: third.prm, line 14, entry 'Output/Restart': The folder "
-            "run/checkpoint holds no checkpoint to restart from.\n");
+            "'run/checkpoint' holds no checkpoint to restart from.\n");
 }
 
 TEST_F(Restart, a_folder_takes_one_run_at_a_time)

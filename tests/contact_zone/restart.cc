@@ -209,8 +209,8 @@ TEST(Restart, warns_of_another_program_and_refuses_other_inputs)
   const auto found = find_checkpoint(folder, inputs, "program 2");
   ASSERT_EQ(found.warnings.size(), 1u);
   EXPECT_EQ(found.warnings[0],
-            "The checkpoint " + folder.path(5) +
-              " was written by another program, program 1, than the one that "
+            "The checkpoint '" + folder.path(5) +
+              "' was written by another program, program 1, than the one that "
               "goes on from it.");
   inputs.entries[0].value = "900 MPa";
   EXPECT_THROW(find_checkpoint(folder, inputs, "program 1"), InputError);

@@ -207,24 +207,25 @@ TEST(FrictionLawFile, other_documents_are_refused)
     return message_of<InputError>([&]() { FrictionLaw::load(path); });
   };
   EXPECT_EQ(message(),
-            "The file " + path +
-              " could not be opened; a friction law is expected.");
+            "The file '" + path +
+              "' could not be opened; a friction law is expected.");
   overwrite(path, "{\"format\": ");
   EXPECT_EQ(message(),
-            "The file " + path +
-              " is no JSON document at line 1, column 12; a friction law is "
+            "The file '" + path +
+              "' is no JSON document at line 1, column 12; a friction law is "
               "expected.");
   overwrite(path, "{\"format\":\n  1e400}");
-  EXPECT_EQ(message(),
-            "The file " + path +
-              " holds a number that is too large; a friction law is expected.");
+  EXPECT_EQ(
+    message(),
+    "The file '" + path +
+      "' holds a number that is too large; a friction law is expected.");
   for (const std::string &bomb :
        {std::string(100000, '['), "{\"a\":" + std::string(100, '[')})
     {
       overwrite(path, bomb);
       EXPECT_EQ(message(),
-                "The file " + path +
-                  " has more levels or keys than any that Asperity writes; a "
+                "The file '" + path +
+                  "' has more levels or keys than any that Asperity writes; a "
                   "friction law is expected.");
     }
   overwrite(path, "{\"mu\": 0.1}");

@@ -18,10 +18,20 @@ namespace asperity
   std::string
   join(const std::vector<std::string> &parts, const std::string &separator);
 
-  /** How a message shows a text that somebody wrote: between quotation marks,
-   *  shortened to 60 bytes, control characters as question marks. */
+  /** The text as UTF-8 without control characters: '?' for whatever is not. */
+  std::string
+  printable(const std::string &text);
+
+  /** How a message shows a text that somebody wrote: printable(), between
+   *  quotation marks, shortened to 60 bytes. */
   std::string
   quoted(const std::string &text);
+
+  /** How a message shows the name of a file, an entry or an input: as quoted(),
+   *  but whole, since paths differ at their ends. More than 4096 bytes are no
+   *  name and are shortened. */
+  std::string
+  quoted_name(const std::string &name);
 
   /**
    * Number of insertions, deletions, substitutions and swaps of neighbours

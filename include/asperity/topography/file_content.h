@@ -155,14 +155,6 @@ namespace asperity
   bool
   looks_like_text(const std::string &bytes);
 
-  /** @p text as UTF-8 without control characters: '?' for whatever is not. */
-  std::string
-  printable(const std::string &text);
-
-  /** The first 40 characters of @p text, printable, for messages. */
-  std::string
-  excerpt(const std::string &text);
-
   /** Text without blanks, line ends and NULs around it. */
   std::string
   strip(const std::string &text);

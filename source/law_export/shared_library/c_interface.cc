@@ -1,5 +1,6 @@
 #include <asperity/base/errors.h>
 #include <asperity/base/mechanisms.h>
+#include <asperity/base/text.h>
 #include <asperity/surrogate/friction_law.h>
 
 #include <asperity_friction.h>
@@ -109,8 +110,8 @@ namespace
         const auto found =
           std::find(symbols.begin(), symbols.end(), input.symbol);
         require(found != symbols.end(),
-                "The law depends on '" + input.name +
-                  "' beside p, v and T; asperity_friction_eval_inputs() "
+                "The law depends on " + asperity::quoted_name(input.name) +
+                  " beside p, v and T; asperity_friction_eval_inputs() "
                   "is expected.");
         result.push_back(static_cast<std::size_t>(found - symbols.begin()));
         require(points[result.back()] != nullptr,
