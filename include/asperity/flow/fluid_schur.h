@@ -16,7 +16,7 @@ namespace asperity
 
     explicit FluidSchur(const FluidSpace &space);
 
-    /** At u: mass over viscosity, inertia of the step and Robin terms.
+    /** At u: mass over viscosity and of compression, inertia, Robin terms.
      *  @param is_convective see SchurEstimate */
     const SchurEstimate &
     of_tangent(const Vector                    &u,
