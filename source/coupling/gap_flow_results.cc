@@ -32,7 +32,7 @@ namespace asperity
           state_.pressure_force += f;
         account_for_oil();
       }
-    state_.mean_pressure       = -state_.pressure_force[1] / length;
+    state_.mean_pressure       = (0. - state_.pressure_force[1]) / length;
     state_.max_pressure        = max_pressure;
     state_.smallest_film       = mesh_.film().smallest_gap;
     state_.coupling_iterations = n_solutions;
