@@ -26,8 +26,8 @@ namespace asperity
              "of the oil, the mean of its walls: not at all; or density and "
              "modulus exponentially, and the viscosity after Roelands or after "
              "Vogel. The walls are the tool, at Load/Temperature, and the "
-             "chip's surface, in the mean over the period; the models `Stokes` "
-             "and `Navier-Stokes` keep the temperature of the start.");
+             "chip's surface, in the mean over the period, at the start of "
+             "each step.");
     const auto section = d.subsection("Temperature");
     d.quantity("Reference temperature",
                reference,

@@ -43,15 +43,28 @@ namespace asperity
 
 
 
+    FluidModel
+    make_model(const LubricantParameters &oil,
+               const bool                 inertia,
+               const bool                 compressible)
+    {
+      FluidModel model;
+      model.density    = inertia ? oil.density : 0.;
+      model.viscosity  = oil.viscosity;
+      model.convection = inertia;
+      if (compressible)
+        model.compressibility = oil.compressibility;
+      return model;
+    }
+
+
+
     FluidOptions
     make_fluid(const GapFlowOptions &options)
     {
       FluidOptions fluid;
-      fluid.model.density    = options.inertia ? options.oil.density : 0.;
-      fluid.model.viscosity  = options.oil.viscosity;
-      fluid.model.convection = options.inertia;
-      if (options.compressible)
-        fluid.model.compressibility = options.oil.compressibility;
+      fluid.model =
+        make_model(options.oil, options.inertia, options.compressible);
       fluid.element                  = options.element;
       fluid.scheme                   = options.scheme;
       fluid.linear_solver            = options.linear_solver;
@@ -144,7 +157,9 @@ namespace asperity
                    const PatchGeometry  &geometry,
                    const SplineCurve    &tool,
                    const GapFlowOptions &options)
-    : geometry(geometry)
+    : inertia(options.inertia)
+    , compressible(options.compressible)
+    , geometry(geometry)
     , edge(*space.hierarchy(), Edge::top)
     , length(tool.period()[0])
     , chip(2 * space.n_functions())
@@ -348,6 +363,14 @@ namespace asperity
   {
     force = new_force;
     load_.set_force(force);
+  }
+
+
+
+  void
+  GapFlow::set_oil(const LubricantParameters &oil)
+  {
+    flow_.set_model(make_model(oil, inertia, compressible));
   }
 
 

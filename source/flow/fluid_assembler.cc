@@ -29,6 +29,15 @@ namespace asperity
 
 
   void
+  FluidAssembler::set_model(const FluidModel &model)
+  {
+    model_    = model;
+    viscosity = LubricantViscosity(model.viscosity);
+  }
+
+
+
+  void
   FluidAssembler::set_step(const BackwardDifference &new_rate,
                            const Vector             &new_history,
                            const double              new_time)

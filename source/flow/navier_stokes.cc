@@ -72,6 +72,15 @@ namespace asperity
 
 
   void
+  NavierStokes::set_model(const FluidModel &model)
+  {
+    assembler.set_model(model);
+    is_factorised = false;
+  }
+
+
+
+  void
   NavierStokes::set_material_walls(const BoundaryIds &ids)
   {
     material_walls = ids;

@@ -49,6 +49,58 @@ TEST(LubricantTemperature, Vogel_is_the_fit_of_Seireg_and_Dandage_for_SAE_30)
 
 
 
+// Mineral oils of table 2.3 of G. W. Stachowiak and A. W. Batchelor,
+// Engineering Tribology (2005), chapter 2: viscosities at 30, 60 and 100 degC
+// [mPa s]. With the slope that the first and the last of them have, Roelands'
+// law gives the one between.
+TEST(LubricantTemperature, Roelands_interpolates_measured_viscosities)
+{
+  const double oils[][3] = {{38., 12.1, 5.3},
+                            {153., 34., 9.1},
+                            {250., 50.5, 12.6},
+                            {810., 135., 26.8},
+                            {18.6, 6.3, 2.4},
+                            {45., 12., 3.9},
+                            {107., 23.3, 6.4},
+                            {122., 26.3, 7.3},
+                            {171., 31., 7.5},
+                            {30.7, 8.6, 3.1},
+                            {165., 30., 6.8},
+                            {310., 44.2, 9.4},
+                            {2000., 180., 24.}};
+  const double eta_R     = LubricantViscosity::roelands_viscosity;
+  for (const auto &oil : oils)
+    {
+      LubricantTemperature law = oil_with(TemperatureLaw::roelands).temperature;
+      law.reference            = 303.15;
+      law.roelands_slope       = std::log(std::log(1e-3 * oil[0] / eta_R) /
+                                    std::log(1e-3 * oil[2] / eta_R)) /
+                           std::log((373.15 - 138.) / (303.15 - 138.));
+      EXPECT_GT(law.roelands_slope, 1.);
+      EXPECT_LT(law.roelands_slope, 1.6);
+      EXPECT_NEAR(law.viscosity(1e-3 * oil[0], 373.15), 1e-3 * oil[2], 1e-12);
+      EXPECT_NEAR(law.viscosity(1e-3 * oil[0], 333.15) / (1e-3 * oil[1]),
+                  1.,
+                  0.14);
+    }
+}
+
+
+
+// At 850 kg/m3 and 100 degC the class 30 of SAE J300 has 9.3 to 12.5 mm2/s.
+TEST(LubricantTemperature, Vogel_is_an_oil_SAE_30)
+{
+  LubricantTemperature law = oil_with(TemperatureLaw::vogel).temperature;
+  law.reference            = 313.15;
+  // With 9.72e-5 Pa s, which is 0.0141e-6 reyn, before the exponential
+  const double nu =
+    law.viscosity(9.72e-5 * std::exp(755.6 / (313.15 - 202.6)), 373.15) / 850.;
+  EXPECT_GT(nu, 9.3e-6);
+  EXPECT_LT(nu, 12.5e-6);
+}
+
+
+
 TEST(LubricantTemperature, Roelands_is_his_law_of_pressure_and_temperature)
 {
   // eta_0 exp((ln eta_0 + 9.67)

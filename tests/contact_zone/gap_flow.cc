@@ -53,40 +53,82 @@ TEST(GapFlow, keeps_its_volume_in_every_step)
     EXPECT_NEAR(run.rows()[i].void_volume, start, 1e-5 * start) << "step " << i;
 }
 
-// Lubrication theory of a flat wall that slides with U below a rigid wall at
-// rest of small slope (O. Reynolds, 1886): with the gap h and I_n the integral
-// of h^-n over the period, the flow is q = U I_2/(2 I_3) and the shear stress
-// on the sliding wall -4 eta U/h + 6 eta q/h^2.
+namespace
+{
+  /** A flat chip that slides below a tool of small slope. */
+  SceneParameters
+  slider_scene()
+  {
+    SceneParameters parameters      = flooded_scene();
+    parameters.chip.kind            = SurfaceKind::flat;
+    parameters.tool.wave_numbers    = {1, 2};
+    parameters.tool.amplitudes      = {0.05e-6, 0.02e-6};
+    parameters.tool.phases          = {0.3, 1.9};
+    parameters.geometry.initial_gap = 0.1e-6;
+    parameters.load.pressure        = 1e6;
+    parameters.lubrication.model    = LubricantModel::stokes;
+    return parameters;
+  }
+
+  /** Lubrication theory of a flat wall that slides with U below a rigid wall at
+   *  rest of small slope (O. Reynolds, 1886): with the gap h and I_n the
+   *  integral of h^-n over the period, the flow is q = U I_2/(2 I_3) and the
+   *  shear stress on the sliding wall -4 eta U/h + 6 eta q/h^2. */
+  double
+  shear_of_slider(const Scene           &scene,
+                  const SceneParameters &parameters,
+                  const double           eta)
+  {
+    const double U   = parameters.load.velocity;
+    const auto   sum = [&](const double n) {
+      const unsigned int n_points = 1000;
+      double             integral = 0.;
+      for (unsigned int i = 0; i < n_points; ++i)
+        {
+          const double x = scene.length * i / n_points;
+          integral +=
+            std::pow(scene.tool_surface.height(x) - parameters.geometry.height,
+                     -n);
+        }
+      return integral * scene.length / n_points;
+    };
+    const double q = 0.5 * U * sum(2.) / sum(3.);
+    return -4. * eta * U * sum(1.) + 6. * eta * q * sum(2.);
+  }
+} // namespace
+
 TEST(GapFlow, shears_as_lubrication_theory_says)
 {
-  SceneParameters parameters      = flooded_scene();
-  parameters.chip.kind            = SurfaceKind::flat;
-  parameters.tool.wave_numbers    = {1, 2};
-  parameters.tool.amplitudes      = {0.05e-6, 0.02e-6};
-  parameters.tool.phases          = {0.3, 1.9};
-  parameters.geometry.initial_gap = 0.1e-6;
-  parameters.load.pressure        = 1e6;
-  parameters.lubrication.model    = LubricantModel::stokes;
-  const CompleteRun run(parameters);
-
-  const double U   = parameters.load.velocity;
-  const double eta = parameters.lubrication.oil.viscosity.viscosity;
-  const auto   sum = [&](const double n) {
-    const unsigned int n_points = 1000;
-    double             integral = 0.;
-    for (unsigned int i = 0; i < n_points; ++i)
-      {
-        const double x = run.scene.length * i / n_points;
-        integral += std::pow(run.scene.tool_surface.height(x) -
-                               parameters.geometry.height,
-                             -n);
-      }
-    return integral * run.scene.length / n_points;
-  };
-  const double q     = 0.5 * U * sum(2.) / sum(3.);
-  const double shear = -4. * eta * U * sum(1.) + 6. * eta * q * sum(2.);
+  const SceneParameters parameters = slider_scene();
+  const CompleteRun     run(parameters);
+  const double          expected =
+    shear_of_slider(run.scene,
+                    parameters,
+                    parameters.lubrication.oil.viscosity.viscosity);
   // Slopes are at most 0.06, the chip gives way by 1e-4 of the gap.
-  EXPECT_NEAR(run.rows().back().shear_T_x / shear, 1., 0.005);
+  EXPECT_NEAR(run.rows().back().shear_T_x / expected, 1., 0.005);
+}
+
+// A chip that is 100 K hotter than the tool warms the oil by 50 K.
+TEST(GapFlow, is_as_warm_as_the_mean_of_its_walls)
+{
+  SceneParameters       parameters = slider_scene();
+  LubricantTemperature &law        = parameters.lubrication.oil.temperature;
+  law.law                          = TemperatureLaw::vogel;
+  parameters.load.temperature      = law.reference;
+
+  Scene      scene(parameters);
+  SlidingRun run(parameters, scene);
+  auto       hot = scene.chip->history();
+  for (MaterialState &point : hot)
+    point.temperature += 100.;
+  scene.chip->set_history(hot);
+  run.run([](const SlidingRun &) {});
+  const double expected =
+    shear_of_slider(scene,
+                    parameters,
+                    law.viscosity(0.032, law.reference + 50.));
+  EXPECT_NEAR(run.state().rows.back().shear_T_x / expected, 1., 0.005);
 }
 
 namespace

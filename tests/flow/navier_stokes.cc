@@ -144,6 +144,26 @@ TEST(NavierStokes, couette_flow)
 
 
 
+// The drag of Couette flow is as the viscosity, whatever it was before.
+TEST(NavierStokes, shears_as_the_oil_that_it_is_told_of)
+{
+  const double U = 0.25, h = 1e-6, L = 2e-6;
+  const auto   mesh    = rectangle(3, 4, {0., 0.}, {L, h});
+  FluidOptions options = steady(0.032, 800.);
+  NavierStokes flow(*mesh, options, {{0, 1, 0}});
+  flow.boundary().set_velocity({2}, constant(0., 0.));
+  flow.boundary().set_velocity({3}, constant(U, 0.));
+  for (const double eta : {0.032, 0.016, 0.002, 0.01})
+    {
+      options.model.viscosity.viscosity = eta;
+      flow.set_model(options.model);
+      solve(flow);
+      EXPECT_NEAR(flow.total_wall_force({3})[0] / (-eta * U / h * L), 1., 1e-9);
+    }
+}
+
+
+
 // A body force G/rho along a periodic channel: v = G y (h - y)/(2 eta), and
 // each wall carries half of the force.
 TEST(NavierStokes, poiseuille_flow)

@@ -121,6 +121,9 @@ namespace asperity
     // The lubricant
 
     void
+    set_oil(const LubricantParameters &oil) override;
+
+    void
     begin_step(const Vector      &u,
                const unsigned int step,
                const double       time,
@@ -279,6 +282,7 @@ namespace asperity
     std::pair<dealii::Tensor<1, 2>, double>
     integrate_pressure() const;
 
+    const bool          inertia, compressible; ///< of the oil
     const PatchGeometry geometry;
     const EdgeTrace     edge;
     double              length;

@@ -74,6 +74,10 @@ namespace asperity
                    const MovingMesh &mesh,
                    const FluidModel &model);
 
+    /** What flows from now on. */
+    void
+    set_model(const FluidModel &model);
+
     /** Rates are now u + history, where history = old u_n + older u_{n-1}.
      *  @param history of the velocity; of the density ratio, by unknowns of the
      *    pressure

@@ -61,6 +61,11 @@ namespace asperity
     FluidBoundary &
     boundary();
 
+    /** Another fluid from the next step on: a warmer one. What has flowed keeps
+     *  its velocity. */
+    void
+    set_model(const FluidModel &model);
+
     /** Walls that the fluid does not cross: the volume between them is
      * conserved to round-off when they move and the fluid at them has the
      * velocity wall_mesh_velocity(). */

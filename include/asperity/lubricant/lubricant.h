@@ -50,10 +50,9 @@ namespace asperity
     };
 
     /** Takes the oil as it is at its present temperature, before a step; no
-     *  mass is lost. A flow that fills the gap keeps the oil of the start. */
+     *  mass is lost. */
     virtual void
-    set_oil(const LubricantParameters &oil)
-    {}
+    set_oil(const LubricantParameters &oil) = 0;
 
     /** Before the iterations of step `step`, which lasts dt and ends at `time`
      *  [s]; u is the last accepted displacement. A step that is cut begins
