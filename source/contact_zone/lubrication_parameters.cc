@@ -97,6 +97,49 @@ namespace asperity
                     "Whether the density law of the oil counts in the flow, so "
                     "that enclosed oil has the pressure of its density; false: "
                     "the oil keeps its volume, as in Lee (2025).");
+    declare_ends(parameters);
+    parameters.quantity("Initial pressure",
+                        initial_pressure,
+                        "MPa",
+                        Range::between(0., 1e10),
+                        "Pressure that the oil has before the first step, in "
+                        "which the chip feels it.");
+  }
+
+
+
+  void
+  FlowParameters::declare_ends(ParameterDeclarator &parameters)
+  {
+    for (const bool is_left : {true, false})
+      {
+        GapEnd           &end  = is_left ? left : right;
+        const std::string name = is_left ? "left" : "right";
+        parameters.choice("Boundary " + name,
+                          end.kind,
+                          {{"periodic", GapEndKind::periodic},
+                           {"pressure", GapEndKind::pressure},
+                           {"resistance", GapEndKind::resistance}},
+                          "What the oil meets at the " + name +
+                            " end of the period: `periodic`, the other end; "
+                            "`pressure`, a reservoir; `resistance`, a "
+                            "reservoir behind a resistance. Chip and tool stay "
+                            "periodic, and open ends go with the chip.");
+        parameters.quantity("Pressure " + name,
+                            end.pressure,
+                            "MPa",
+                            Range::between(0., 1e10),
+                            "Of the reservoir at an open " + name + " end.");
+        parameters.quantity("Resistance " + name,
+                            end.resistance,
+                            "MPa s/m",
+                            Range::between(1., 1e18),
+                            "R of the " + name +
+                              " end: the pressure there is that of the "
+                              "reservoir plus R times the mean velocity of "
+                              "the oil that leaves. A channel of length l and "
+                              "height h has R = 12 eta l/h^2.");
+      }
   }
 
 
@@ -204,6 +247,9 @@ namespace asperity
     options.wetting          = wetting;
     for (std::size_t i = 0; i + 1 < pockets.size(); i += 2)
       options.pockets.emplace_back(pockets[i], pockets[i + 1]);
+    options.left             = flow.left;
+    options.right            = flow.right;
+    options.initial_pressure = flow.initial_pressure;
     return options;
   }
 
@@ -215,6 +261,7 @@ namespace asperity
     if (model == LubricantModel::none || model == LubricantModel::automatic)
       return;
     check_amount(parameters);
+    check_ends(parameters);
     oil.check(parameters);
     if (fills_gap(model))
       {
@@ -260,13 +307,45 @@ namespace asperity
                        ": found true with the Density law incompressible; "
                        "expected false, or a law that tells the density over "
                        "the pressure.");
-    if (!flow.compressible &&
+    if (!flow.compressible && flow.left.kind == GapEndKind::periodic &&
         coupling.scheme == CouplingScheme::dirichlet_neumann)
       throw InputError(parameters.where("Coupling/Scheme") +
                        ": found Dirichlet-Neumann with incompressible oil, "
                        "which is enclosed, so that a prescribed motion of its "
                        "walls contradicts its volume; expected Robin-Neumann, "
-                       "or Flow/Compressible = true.");
+                       "or Flow/Compressible = true, or open ends.");
+  }
+
+
+
+  void
+  LubricationParameters::check_ends(const ParameterDeclarator &parameters) const
+  {
+    const auto is_open = [](const GapEnd &end) {
+      return end.kind != GapEndKind::periodic;
+    };
+    if (!fills_gap(model) || (!is_open(flow.left) && !is_open(flow.right)))
+      return;
+    if (is_open(flow.left) != is_open(flow.right))
+      {
+        const std::string entry =
+          is_open(flow.left) ? "Flow/Boundary right" : "Flow/Boundary left";
+        throw InputError(parameters.where(entry) +
+                         ": found periodic, but the other end is open; "
+                         "expected pressure or resistance, or both ends "
+                         "periodic.");
+      }
+    if (flow.compressible)
+      throw InputError(parameters.where("Flow/Compressible") +
+                       ": found true, but an end of the gap is open, where "
+                       "oil is counted by its volume; expected false, or "
+                       "Flow/Boundary left and Boundary right periodic.");
+    if (sealing_gap > 0.)
+      throw InputError(parameters.where("Lubrication/Sealing gap") +
+                       ": found " + format_quantity(sealing_gap, "nm") +
+                       ", but an end of the gap is open, and would be shut "
+                       "and opened as the surfaces slide; expected 0, or "
+                       "Flow/Boundary left and Boundary right periodic.");
   }
 
 

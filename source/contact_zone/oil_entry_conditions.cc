@@ -206,6 +206,26 @@ namespace asperity
                  return p.lubrication.flow.mesh_update ==
                         MeshUpdateKind::elastic;
                }},
+              {{"Flow/Pressure left"},
+               "an open left end",
+               [](const SceneParameters &p) {
+                 return p.lubrication.flow.left.kind != GapEndKind::periodic;
+               }},
+              {{"Flow/Pressure right"},
+               "an open right end",
+               [](const SceneParameters &p) {
+                 return p.lubrication.flow.right.kind != GapEndKind::periodic;
+               }},
+              {{"Flow/Resistance left"},
+               "the Boundary left resistance",
+               [](const SceneParameters &p) {
+                 return p.lubrication.flow.left.kind == GapEndKind::resistance;
+               }},
+              {{"Flow/Resistance right"},
+               "the Boundary right resistance",
+               [](const SceneParameters &p) {
+                 return p.lubrication.flow.right.kind == GapEndKind::resistance;
+               }},
               {{"Coupling/Robin coefficient"},
                "the Scheme Robin-Neumann",
                [](const SceneParameters &p) {

@@ -29,6 +29,8 @@ namespace asperity
       return;
     SolidStep::State start = step.state();
     start.v                = scene.translation(parameters.load.velocity, 0.);
+    if (scene.gap_flow != nullptr)
+      scene.gap_flow->add(start.u, start.forces, nullptr);
     step.set_state(start);
     if (scene.gap_flow != nullptr)
       lubricated_step_ = std::make_unique<LubricatedStep>(

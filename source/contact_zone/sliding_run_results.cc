@@ -75,6 +75,8 @@ namespace asperity
     row.void_volume          = oil.void_volume;
     row.oil_volume           = oil.oil_volume;
     row.oil_reference_volume = oil.reference_volume;
+    row.oil_in               = oil.oil_in;
+    row.oil_out              = oil.oil_out;
     row.pockets              = oil.n_pockets;
     row.coupling_iterations  = oil.coupling_iterations;
   }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace asperity
 {
@@ -158,7 +159,6 @@ namespace asperity
                    const SplineCurve    &tool,
                    const GapFlowOptions &options)
     : inertia(options.inertia)
-    , compressible(options.compressible)
     , geometry(geometry)
     , edge(*space.hierarchy(), Edge::top)
     , length(tool.period()[0])
@@ -166,7 +166,8 @@ namespace asperity
     , mesh_(chip_curve(), tool, make_layout(chip_curve(), options))
     , flow_(mesh_.triangulation(),
             make_fluid(options),
-            {{ColumnMesh::left_side, ColumnMesh::right_side, 0}})
+            options.periodic_sides(),
+            options.outlets())
     , side_(*this)
     , interface_(space, geometry, chip_points())
     , load_(interface_)
@@ -184,16 +185,18 @@ namespace asperity
       make_elastic_update(options.stiffening);
     flow_.set_initial_displacement(mesh_displacement());
     flow_.set_material_walls(chip_wall);
-    initial_volume          = flow_.volume();
-    state_.void_volume      = initial_volume;
-    state_.oil_volume       = initial_volume;
-    state_.reference_volume = initial_volume;
+    set_initial_pressure(options.initial_pressure);
+    const std::vector<double> contents = flow_.cell_contents();
+    initial_content    = std::accumulate(contents.begin(), contents.end(), 0.);
+    state_.void_volume = flow_.volume();
+    state_.oil_volume  = state_.void_volume;
+    state_.reference_volume = initial_content;
     state_.smallest_film    = mesh_.film().smallest_gap;
     state_.n_pockets        = 1;
     if (options.sealing_gap > 0.)
       fill_pockets(options);
     else if (options.compressible)
-      flow_.set_part_volumes({initial_volume});
+      flow_.set_part_volumes({initial_content});
     set_tool_velocity();
   }
 
@@ -370,7 +373,9 @@ namespace asperity
   void
   GapFlow::set_oil(const LubricantParameters &oil)
   {
-    flow_.set_model(make_model(oil, inertia, compressible));
+    const FluidModel model = make_model(oil, inertia, flow_.is_compressible());
+    density                = model.compressibility;
+    flow_.set_model(model);
   }
 
 

@@ -106,7 +106,8 @@ namespace asperity
                        "wider than the sealing gap at the start.");
     const std::vector<bool> wet = find_wet_columns(empty, options.pockets);
     for (unsigned int k = 0; k < oil.size(); ++k)
-      oil[k] *= wet[k] ? options.wetting : 0.;
+      oil[k] *=
+        wet[k] ? options.wetting * density.ratio(options.initial_pressure) : 0.;
     pockets_.emplace(oil, options.sealing_gap);
     switch_columns();
     const std::vector<double> voids = column_voids();

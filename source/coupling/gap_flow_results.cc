@@ -32,10 +32,28 @@ namespace asperity
           state_.pressure_force += f;
         account_for_oil();
       }
+    account_for_ends();
     state_.mean_pressure       = (0. - state_.pressure_force[1]) / length;
     state_.max_pressure        = max_pressure;
     state_.smallest_film       = mesh_.film().smallest_gap;
     state_.coupling_iterations = n_solutions;
+  }
+
+
+
+  void
+  GapFlow::account_for_ends()
+  {
+    if (flow_.passed_volumes().empty())
+      return;
+    state_.oil_in  = 0.;
+    state_.oil_out = 0.;
+    for (const PassedVolume &volume : flow_.passed_volumes())
+      {
+        state_.oil_in += volume.in;
+        state_.oil_out += volume.out;
+      }
+    state_.reference_volume = initial_content + state_.oil_in - state_.oil_out;
   }
 
 

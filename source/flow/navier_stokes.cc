@@ -22,7 +22,8 @@ namespace asperity
 
   NavierStokes::NavierStokes(const dealii::Triangulation<2>   &triangulation,
                              const FluidOptions               &options,
-                             const std::vector<PeriodicSides> &periodic)
+                             const std::vector<PeriodicSides> &periodic,
+                             const std::vector<FluidOutlet>   &outlets)
     : options(options)
     , space_(triangulation,
              options.element,
@@ -32,6 +33,7 @@ namespace asperity
     , mesh(space_)
     , boundary_(space_, mesh)
     , assembler(space_, mesh, options.model)
+    , outlets(space_, mesh, assembler, outlets)
     , level(space_, mesh, boundary_)
     , schur(space_)
     , solver(make_flow_solver(space_,
@@ -57,6 +59,7 @@ namespace asperity
                                             coupling,
                                             couplings,
                                             space_.topology());
+    this->outlets.add_couplings(couplings);
     pattern.copy_from(couplings);
     matrix.reinit(pattern);
   }
@@ -228,6 +231,7 @@ namespace asperity
   {
     if (options.element == FluidElement::equal_order)
       divergence = galerkin_divergence();
+    outlets.accept(u);
     u_older = u_old;
     u_old   = u;
     mesh.accept();
@@ -257,6 +261,7 @@ namespace asperity
     if (tangent != nullptr)
       *tangent = 0.;
     assembler.add(u, constraints, cell_forces, scale, tangent);
+    outlets.add(u, constraints, cell_forces, scale, tangent);
     R = cell_forces;
     boundary_.add(u, time(), constraints, R, scale, tangent);
     R += source;

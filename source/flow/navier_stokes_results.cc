@@ -36,7 +36,7 @@ namespace asperity
     archive << time << dt << n_steps;
     for (const auto *v : vectors(*this))
       archive << *v;
-    archive << active;
+    archive << active << passed;
   }
 
 
@@ -48,6 +48,7 @@ namespace asperity
     for (auto *v : vectors(*this))
       archive >> fixed_length(*v, "unknowns of a flow");
     archive >> fixed_length(active, "cells of a flow");
+    archive >> fixed_length(passed, "outlets of a flow");
   }
 
 
@@ -146,6 +147,22 @@ namespace asperity
 
 
 
+  std::vector<double>
+  NavierStokes::outflow() const
+  {
+    return outlets.outflow(u);
+  }
+
+
+
+  const std::vector<PassedVolume> &
+  NavierStokes::passed_volumes() const
+  {
+    return outlets.passed();
+  }
+
+
+
   bool
   NavierStokes::is_enclosed() const
   {
@@ -230,7 +247,8 @@ namespace asperity
             mesh.old_displacement(),
             mesh.older_displacement(),
             divergence,
-            space_.active()};
+            space_.active(),
+            outlets.passed()};
   }
 
 
@@ -248,6 +266,7 @@ namespace asperity
     u_old      = state.u;
     u_older    = state.u_old;
     divergence = state.divergence;
+    outlets.set_passed(state.passed);
     mesh.set_displacement(state.displacement);
     mesh.set_history(state.displacement, state.displacement_old);
   }

@@ -166,6 +166,18 @@ TEST(Restart, goes_on_identically_where_pockets_have_just_split_or_merged)
   EXPECT_EQ(n_merged, 1U);
 }
 
+TEST(Restart, keeps_the_oil_that_has_left_the_gap)
+{
+  SceneParameters parameters             = coarse_scene();
+  parameters.protocol.inertia            = Inertia::dynamic;
+  parameters.protocol.slide_steps        = 5;
+  parameters.lubrication.model           = LubricantModel::navier_stokes;
+  parameters.lubrication.mesh.rows       = 1;
+  parameters.lubrication.flow.left.kind  = GapEndKind::pressure;
+  parameters.lubrication.flow.right.kind = GapEndKind::resistance;
+  expect_identical_rest(parameters, 4);
+}
+
 TEST(Restart, refuses_the_state_of_another_mesh_and_one_that_is_cut_short)
 {
   SceneParameters parameters = coarse_scene(), finer = coarse_scene();

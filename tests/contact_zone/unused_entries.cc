@@ -134,6 +134,8 @@ TEST(UnusedEntries, of_every_subsection_are_used_somewhere)
     two_waves,
     {{"Lubrication/Model", "Navier-Stokes"},
      {"Flow/Mesh update", "elastic"},
+     {"Flow/Boundary left", "resistance"},
+     {"Flow/Boundary right", "resistance"},
      {"Protocol/Inertia", "dynamic"},
      {"Lubricant/Shear law", "Carreau"},
      {"Lubricant/Pressure law", "Barus"},
@@ -185,6 +187,13 @@ TEST(UnusedEntries, of_each_model_are_those_that_it_does_not_read)
   EXPECT_TRUE(is_unused({{"Lubrication/Model", "Stokes"},
                          {"Lubrication/Sealing gap", "20 nm"}},
                         "Lubrication/Residual film"));
+  const EntryValues open = {{"Lubrication/Model", "Stokes"},
+                            {"Flow/Boundary left", "pressure"},
+                            {"Flow/Boundary right", "resistance"}};
+  EXPECT_TRUE(is_unused(stokes, "Flow/Pressure left"));
+  EXPECT_FALSE(is_unused(open, "Flow/Pressure left"));
+  EXPECT_TRUE(is_unused(open, "Flow/Resistance left"));
+  EXPECT_FALSE(is_unused(open, "Flow/Resistance right"));
   EXPECT_TRUE(is_unused(dry, "Lubrication/Sealing gap"));
   EXPECT_FALSE(is_unused(stokes, "Lubricant/Viscosity"));
   EXPECT_FALSE(is_unused(stokes, "Film mesh/Rows"));

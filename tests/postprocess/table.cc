@@ -62,7 +62,8 @@ TEST(FrictionTable, headings_name_every_unit_and_rows_are_on_disk_at_once)
             "max plastic strain [-],max temperature [K],mean gap [m],"
             "max penetration [m],oil pressure [Pa],max oil pressure [Pa],"
             "oil T_x [N/m],shear T_x [N/m],shear T_y [N/m],void volume [m^2],"
-            "oil volume [m^2],oil reference volume [m^2],pockets [-],"
+            "oil volume [m^2],oil reference volume [m^2],oil in [m^2],"
+            "oil out [m^2],pockets [-],"
             "coupling iterations [-],newton iterations [-],"
             "factorisations [-],wall time [s]");
   EXPECT_EQ(rows[1].substr(0, 8), "8,8e-09,");
@@ -83,7 +84,7 @@ TEST(FrictionTable, companion_shows_people_units)
             "step,time [us],sliding distance [um],T_x [N/mm");
   EXPECT_EQ(rows[1],
             "8,0.008,0.003,0.3,-3,0.1,0.333333333333,2500,0,25,0,0,"
-            "0,0,0,0,0,0,0,0,0,0,4,0,0");
+            "0,0,0,0,0,0,0,0,0,0,0,0,4,0,0");
 }
 
 
@@ -126,7 +127,7 @@ TEST(FrictionTable, every_entry_of_a_row_is_a_column_of_its_own)
   for (std::size_t i = 0; i < friction_columns().size(); ++i)
     EXPECT_EQ(friction_columns()[i].value(row), i + 1.)
       << friction_columns()[i].name;
-  EXPECT_EQ(friction_columns().size(), 25u);
+  EXPECT_EQ(friction_columns().size(), 27u);
 
   FrictionRow       copy;
   const std::string bytes =

@@ -56,11 +56,17 @@ namespace asperity
     FluidTimeScheme time_scheme = FluidTimeScheme::bdf2;
     FluidElement    element     = FluidElement::taylor_hood;
     FlowSolverKind  solver      = FlowSolverKind::direct;
+    GapEnd          left, right;
+    double          initial_pressure = 0.; ///< [Pa]
 
     bool compressible = false; ///< by the density law of the oil
 
     void
     declare(ParameterDeclarator &parameters);
+
+  private:
+    void
+    declare_ends(ParameterDeclarator &parameters);
   };
 
   /** How much oil there is, and how it is modelled. */
@@ -113,6 +119,10 @@ namespace asperity
     /** Whether the flow has a density law where it needs one. */
     void
     check_flow(const ParameterDeclarator &parameters) const;
+
+    /** Whether the ends of a gap that the oil fills go together. */
+    void
+    check_ends(const ParameterDeclarator &parameters) const;
 
     /** Columns of more steps, or such that nearly depend on newer ones, mislead
      *  the quasi-Newton iteration where asperities come into contact. */

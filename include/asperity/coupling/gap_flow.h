@@ -26,6 +26,21 @@ namespace asperity
     elastic  ///< like an elastic body, ElasticMeshUpdate, as in Lee (2025)
   };
 
+  enum class GapEndKind
+  {
+    periodic,  ///< one with the other end
+    pressure,  ///< open to a reservoir
+    resistance ///< open to a reservoir behind a resistance
+  };
+
+  /** An end of the period, as the oil sees it; see FluidOutlets. */
+  struct GapEnd
+  {
+    GapEndKind kind       = GapEndKind::periodic;
+    double     pressure   = 0.;  ///< of the reservoir [Pa]
+    double     resistance = 1e8; ///< where it counts [Pa s/m]
+  };
+
   struct GapFlowOptions
   {
     LubricantParameters oil;
@@ -51,6 +66,11 @@ namespace asperity
      *  oil at the start, one in each; empty: all do. */
     std::vector<std::pair<double, double>> pockets;
 
+    /** Of the oil alone: both are periodic or both are open. */
+    GapEnd left, right;
+
+    double initial_pressure = 0.; ///< [Pa]
+
     unsigned int columns_per_span = 1; ///< of the chip's edge
     unsigned int rows             = 2; ///< between chip and tool
 
@@ -62,6 +82,14 @@ namespace asperity
     FluidTimeScheme scheme        = FluidTimeScheme::bdf2;
     FluidElement    element       = FluidElement::taylor_hood;
     FlowSolverKind  linear_solver = FlowSolverKind::direct;
+
+    /** Of the flow on a ColumnMesh: the two ends, if they are one. */
+    std::vector<PeriodicSides>
+    periodic_sides() const;
+
+    /** The same: the ends, if they are open. */
+    std::vector<FluidOutlet>
+    outlets() const;
   };
 
 
@@ -69,8 +97,9 @@ namespace asperity
   /**
    * Oil that fills the gap between the top edge of a periodic chip and a rigid
    * tool at rest above it: Navier-Stokes or Stokes flow, plane, per metre of
-   * thickness, on a ColumnMesh. The sides of the period are one,
-   * the tool has no slip, the chip's wall is the interface of a coupled step.
+   * thickness, on a ColumnMesh. The sides of the period are one, or open ends
+   * that go with the chip; the tool has no slip, the chip's wall is the
+   * interface of a coupled step.
    *
    * With a sealing gap the oil is that of GapPockets, and each pocket has its
    * own pressure and conserves its content. What is open is decided at the
@@ -255,6 +284,14 @@ namespace asperity
     void
     account_for_oil();
 
+    /** What has passed the ends of the gap. */
+    void
+    account_for_ends();
+
+    /** The pressure that the oil has before the first step. */
+    void
+    set_initial_pressure(const double pressure);
+
     /** What is left for the flow beside the seals, by the parts of the flow,
      *  which are numbered otherwise than pockets. */
     std::vector<double>
@@ -282,7 +319,7 @@ namespace asperity
     std::pair<dealii::Tensor<1, 2>, double>
     integrate_pressure() const;
 
-    const bool          inertia, compressible; ///< of the oil
+    const bool          inertia; ///< of the oil
     const PatchGeometry geometry;
     const EdgeTrace     edge;
     double              length;
@@ -309,8 +346,8 @@ namespace asperity
     std::vector<double>       column_pressures; ///< of the last solution
     double                    volume_error_ = 0.;
 
-    double         initial_volume = 0.;
-    unsigned int   n_solutions    = 0; ///< in the present step
+    double         initial_content = 0.; ///< volume of the oil at p = 0
+    unsigned int   n_solutions     = 0;  ///< in the present step
     LubricantState state_;
     double         seconds_ = 0.;
   };

@@ -2,7 +2,7 @@
 #define asperity_flow_fluid_options_h
 
 #include <asperity/flow/flow_solver.h>
-#include <asperity/flow/fluid_assembler.h>
+#include <asperity/flow/fluid_outlets.h>
 
 #include <deal.II/lac/vector.h>
 
@@ -62,6 +62,8 @@ namespace asperity
     dealii::Vector<double> displacement, displacement_old; ///< of the mesh
     dealii::Vector<double> divergence; ///< at t_n, see NavierStokes
     std::vector<bool>      active;     ///< cells, by active_cell_index()
+
+    std::vector<PassedVolume> passed; ///< of the outlets
 
     void
     save(OutputArchive &archive) const;

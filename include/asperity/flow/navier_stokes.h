@@ -53,10 +53,12 @@ namespace asperity
     using Vector = dealii::Vector<double>;
 
     /** @param mesh is not copied and must not change
-     *  @throws InputError as FluidSpace */
+     *  @param outlets sides without any other condition
+     *  @throws InputError as FluidSpace and FluidOutlets */
     NavierStokes(const dealii::Triangulation<2>   &mesh,
                  const FluidOptions               &options,
-                 const std::vector<PeriodicSides> &periodic = {});
+                 const std::vector<PeriodicSides> &periodic = {},
+                 const std::vector<FluidOutlet>   &outlets  = {});
 
     FluidBoundary &
     boundary();
@@ -196,11 +198,20 @@ namespace asperity
     /**
      * Consistent nodal forces of the fluid on a wall [N/m], the reaction of the
      * momentum balance: the flow solved for last is in exact balance with them.
-     * A node shared with another boundary has the force of both; of two nodes
-     * that are one by periodicity the first has the force of both.
+     * A node shared with another boundary, unless that is an outlet, has the
+     * force of both; of two nodes that are one by periodicity the first has the
+     * force of both.
      */
     NodalVectors
     wall_force(const BoundaryIds &ids) const;
+
+    /** What leaves through each outlet in the present step [m^2/s]. */
+    std::vector<double>
+    outflow() const;
+
+    /** What has passed each outlet until the last accepted step. */
+    const std::vector<PassedVolume> &
+    passed_volumes() const;
 
     /** Sum of wall_force(): drag and lift [N/m]. */
     dealii::Tensor<1, 2>
@@ -323,6 +334,7 @@ namespace asperity
     MovingMesh                        mesh;
     FluidBoundary                     boundary_;
     FluidAssembler                    assembler;
+    FluidOutlets                      outlets;
     PressureLevel                     level;
     BoundaryIds                       material_walls;
     std::unique_ptr<WallNodes>        inner_walls; ///< null: all cells are on
@@ -337,7 +349,7 @@ namespace asperity
     bool                              is_factorised = false;
 
     Vector           u, u_old, u_older; ///< iterate, t_n, t_{n-1}
-    Vector           cell_forces;       ///< residual of the cells at u
+    Vector           cell_forces;       ///< residual of cells and outlets at u
     Vector           volume_source;     ///< of walls and enclosed parts [m^2/s]
     Vector           content_source;    ///< of a compressible fluid [m^2/s]
     Vector           source;     ///< those and the memory of the divergence

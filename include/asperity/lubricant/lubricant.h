@@ -27,6 +27,8 @@ namespace asperity
     double       void_volume   = 0.; ///< between the surfaces [m^2]
     double       reference_volume    = 0.; ///< of the oil at p = 0 [m^2]
     double       oil_volume          = 0.; ///< of the oil at its pressure [m^2]
+    double       oil_in              = 0.; ///< through open ends so far [m^2]
+    double       oil_out             = 0.; ///< the same
     double       smallest_film       = 0.; ///< [m]
     unsigned int n_pockets           = 0;
     unsigned int coupling_iterations = 0;

@@ -37,6 +37,8 @@ namespace asperity
     double       void_volume          = 0.;
     double       oil_volume           = 0.;
     double       oil_reference_volume = 0.;
+    double       oil_in               = 0.;
+    double       oil_out              = 0.;
     unsigned int pockets              = 0;
     unsigned int coupling_iterations  = 0;
     unsigned int newton_iterations    = 0;
