@@ -313,7 +313,7 @@ namespace asperity
                        ": found Dirichlet-Neumann with incompressible oil, "
                        "which is enclosed, so that a prescribed motion of its "
                        "walls contradicts its volume; expected Robin-Neumann, "
-                       "or Flow/Compressible = true, or open ends.");
+                       "Flow/Compressible = true or open ends.");
   }
 
 

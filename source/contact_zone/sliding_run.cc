@@ -10,6 +10,15 @@ namespace asperity
 {
   using Vector = dealii::Vector<double>;
 
+  namespace
+  {
+    /** Part of the load below which the chip's balance is not refined any
+     *  more. */
+    constexpr double smallest_load = 1e-4;
+  } // namespace
+
+
+
   SlidingRun::SlidingRun(const SceneParameters &parameters, Scene &scene)
     : parameters(parameters)
     , scene(scene)
@@ -113,8 +122,9 @@ namespace asperity
     };
     warm_oil();
     begin_lubricant();
-    Vector load = scene.bottom_load();
-    load *= protocol_.pressure(state_.time + dt);
+    Vector load   = scene.bottom_load();
+    step_pressure = protocol_.pressure(state_.time + dt);
+    load *= step_pressure;
     step.begin(dt, load);
     for (const Predictor &predict : predictors(dt))
       {
@@ -152,11 +162,16 @@ namespace asperity
   SlidingRun::newton_tolerance() const
   {
     double tolerance = parameters.solver.tolerance;
-    // What the chip leaves unbalanced is noise to the coupling.
+    double pressure  = parameters.load.pressure;
+    // What the chip leaves unbalanced is noise to the coupling, whose forces
+    // are those of the step.
     if (lubricated_step_)
-      tolerance =
-        std::min(tolerance, 0.01 * parameters.lubrication.coupling.tolerance);
-    return tolerance * parameters.load.pressure * scene.length;
+      {
+        tolerance =
+          std::min(tolerance, 0.01 * parameters.lubrication.coupling.tolerance);
+        pressure = std::max(step_pressure, smallest_load * pressure);
+      }
+    return tolerance * pressure * scene.length;
   }
 
 

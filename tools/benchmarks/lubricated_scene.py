@@ -15,8 +15,8 @@ Usage: tools/benchmarks/lubricated_scene.py [--asperity PROGRAM] [--to FOLDER]
   flooded  the sixteen reference scenes full of oil, with the model of
            Lee (2025: dynamic, incompressible Navier-Stokes), with an incompressible
            film, and with what the audit chooses
-  pockets  the same scenes where the gap is cut below a sealing gap (all models
-           of FLOODED_POCKETS): contact, pressure in the pockets, thrust
+  pockets  the same scenes where the gap is cut below a sealing gap, beside the
+           other rungs: contact, pressure in the pockets, thrust
 
 Tables go to the screen in Markdown, charts as PNG into FOLDER (default
 output/benchmarks). Run it on a quiet machine; compare within one run only.
@@ -41,9 +41,16 @@ FLOODED = {"flow": {},
                     "Protocol/Inertia": "automatic"},
            "audit": {"Lubrication/Model": "automatic",
                      "Protocol/Inertia": "automatic"}}
+CUT = {"Lubrication/Sealing gap": "60 nm"}
 FLOODED_POCKETS = {
-    f"pockets below {gap} nm": {"Lubrication/Sealing gap": f"{gap} nm"}
-    for gap in (20, 60)}
+    "one gap": {},
+    "pockets below 20 nm": {"Lubrication/Sealing gap": "20 nm"},
+    "pockets below 60 nm": CUT,
+    "pockets below 60 nm, compressible": {**CUT, "Flow/Compressible": "true"},
+    "pocket without flow, compressible": {**CUT, "Lubrication/Model": "pocket",
+                                          "Protocol/Inertia": "automatic"},
+    "film, compressible": {"Lubrication/Model": "Reynolds",
+                           "Protocol/Inertia": "automatic"}}
 FLOODED_LABELS = {"flow": "Navier-Stokes, incompressible, dynamic",
                   "film": "Reynolds, incompressible",
                   "audit": "the audit's choice, compressible"}
@@ -183,26 +190,30 @@ def flooded(arguments):
                 print("| {} | {} | {} | {} | ".format(scene, *case) +
                       f"{flooded_row(summary, rows)} | {seconds:.1f} |",
                       flush=True)
-    chart_flooded(arguments, results)
+    chart_rungs(arguments, results, FLOODED, "flooded.png", FLOODED_LABELS)
 
 
 def pockets(arguments):
-    print_head("scene | p [MPa] | v [m/min] | T [degC] | model | mu | "
+    print_head("scene | p [MPa] | v [m/min] | T [degC] | oil | mu | "
                "contact fraction | largest contact pressure [GPa] | "
-               "share of the load | T_x of the oil / T_y | "
+               "share of the load | T_x of the oil over T_y [%] | "
                "difference of pressure in a pocket [%] | pockets at most | "
                "iterations a step | at most | core time [s]")
+    results = {}
     for scene in ("R0", "R1"):
         for case in CASES:
             for model, entries in FLOODED_POCKETS.items():
-                name = "lubricated_{}_p{}_v{}_T{}".format(scene, *case)
                 summary, rows, seconds = run_flooded(
                     arguments, scene, case, model,
                     {**entries, "Output/Picture interval": 120})
-                folder = os.path.join(arguments.to, f"{name}_{model}")
+                folder = os.path.join(
+                    arguments.to,
+                    "lubricated_{}_p{}_v{}_T{}_{}".format(scene, *case, model))
+                results[scene, case, model] = summary["friction"]["mu"]
                 print("| {} | {} | {} | {} | ".format(scene, *case) +
                       f"{model} | {pocket_row(summary, rows, folder)} | "
                       f"{seconds:.1f} |", flush=True)
+    chart_rungs(arguments, results, FLOODED_POCKETS, "flowing_pockets.png")
 
 
 def pocket_row(summary, rows, folder):
@@ -210,13 +221,15 @@ def pocket_row(summary, rows, folder):
     window = [r for r in rows if float(r["time [s]"]) >= begin]
     thrust = (sum(float(r["oil T_x [N/m]"]) for r in window) /
               sum(float(r["T_y [N/m]"]) for r in window))
-    iterations = [float(r["coupling iterations [-]"]) for r in rows]
+    is_flow = summary["models"]["lubricant"] == "Navier-Stokes"
+    iterations = [float(r["coupling iterations [-]" if is_flow else
+                          "newton iterations [-]"]) for r in rows]
     contact = max(float(r["max contact pressure [Pa]"]) for r in rows)
+    difference = f"{100. * pressure_difference(folder):.1f}" if is_flow else "-"
     return (f"{summary['friction']['mu']:.5f} | "
             f"{summary['contact_fraction']:.4f} | {contact * 1e-9:.2f} | "
-            f"{summary['oil']['load_share']:.3f} | {thrust:+.5f} | "
-            f"{100. * pressure_difference(folder):.2f} | "
-            f"{max(int(r['pockets [-]']) for r in rows)} | "
+            f"{summary['oil']['load_share']:.3f} | {100. * thrust:+.2f} | "
+            f"{difference} | {max(int(r['pockets [-]']) for r in rows)} | "
             f"{sum(iterations) / len(iterations):.1f} | "
             f"{max(iterations):.0f}")
 
@@ -224,8 +237,11 @@ def pocket_row(summary, rows, folder):
 def pressure_difference(folder):
     """The largest over all pockets of (max p - min p)/max p at the end."""
     oil = part_at(folder, "oil", 10**9)
-    pressure, pocket = oil.field("pressure"), oil.field("pocket")
-    in_pockets = [pressure[pocket == k] for k in set(pocket)]
+    pressure = oil.field("pressure")
+    pocket = oil.fields.get("pocket")
+    if pocket is None:
+        return (pressure.max() - pressure.min()) / pressure.max()
+    in_pockets = [pressure[pocket.ravel() == k] for k in set(pocket.ravel())]
     return max((p.max() - p.min()) / p.max() for p in in_pockets)
 
 
@@ -261,20 +277,22 @@ def flooded_row(summary, rows):
             f"{iterations / cost['steps']:.1f}")
 
 
-def chart_flooded(arguments, results):
+def chart_rungs(arguments, results, models, name, labels=None):
     plt = pyplot()
     figure, panels = plt.subplots(1, 2, figsize=(11, 4), sharey=True)
+    width = 0.8 / len(models)
+    colours = list(COLOURS.values())[::-1] + ["#d9a441"]
     for axes, scene in zip(panels, ("R0", "R1")):
-        for i, model in enumerate(FLOODED):
-            axes.bar([j + (i - 1) * 0.27 for j in range(len(CASES))],
-                     [results[scene, case, model] for case in CASES], 0.27,
-                     label=FLOODED_LABELS[model],
-                     color=(COLOURS["Navier-Stokes"], COLOURS["Reynolds"],
-                            COLOURS["pocket"])[i])
+        for i, model in enumerate(models):
+            axes.bar([j + (i - 0.5 * (len(models) - 1)) * width
+                      for j in range(len(CASES))],
+                     [results[scene, case, model] for case in CASES], width,
+                     label=labels[model] if labels else model,
+                     color=colours[i])
         label_cases(axes)
         axes.set_title(f"{scene}, gap full of oil", fontsize=10)
     panels[0].set_ylabel("mu")
-    save(figure, arguments, "flooded.png")
+    save(figure, arguments, name)
 
 
 def label_cases(axes):

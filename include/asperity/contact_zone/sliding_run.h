@@ -159,7 +159,8 @@ namespace asperity
     SolidStep              step;
     RunState               state_;
     NewtonStatistics       statistics;
-    unsigned int           cuts                    = 0;
+    double                 step_pressure = 0.; ///< load of the step [Pa]
+    unsigned int           cuts          = 0;
     unsigned int           recorded_factorisations = 0;
 
     std::unique_ptr<LubricatedStep> lubricated_step_;
