@@ -31,6 +31,8 @@ namespace asperity
                                    "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM",
                                    "OMPI_MCA_rmaps_base_oversubscribe"})
         setenv(variable, "1", 1);
+      // A test that was killed has left its own.
+      std::filesystem::remove_all(folder);
       std::filesystem::create_directories(folder);
     }
 
