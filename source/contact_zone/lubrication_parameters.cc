@@ -160,30 +160,7 @@ namespace asperity
                         "and with the inertia of the oil, which "
                         "fills the void; `automatic`, as the scene audit "
                         "says.");
-      parameters.choice("Oil amount",
-                        amount,
-                        {{"part of void at start", OilAmount::void_at_start},
-                         {"part of void at touch", OilAmount::void_at_touch},
-                         {"film thickness", OilAmount::film_thickness}},
-                        "How much oil there is: `part of void at start`, "
-                        "Wetting of the void between the surfaces at the "
-                        "start, to which the initial gap belongs; `part of "
-                        "void at touch`, Wetting of what is left of it when "
-                        "they touch; `film thickness`, Oil film. The last two "
-                        "do not depend on the initial gap, which grows if the "
-                        "oil has no room in it.");
-      parameters.number("Wetting",
-                        wetting,
-                        Range::between(0., 1.),
-                        "w, the part of the void between the surfaces that "
-                        "holds oil, as Oil amount says: 0 dry, 1 flooded.");
-      parameters.quantity("Oil film",
-                          film,
-                          "nm",
-                          Range::between(0., 1e-4),
-                          "Volume of oil over area, as minimum quantity "
-                          "lubrication doses it, where Oil amount is `film "
-                          "thickness`.");
+      declare_amount(parameters);
       parameters.quantity("Sealing gap",
                           sealing_gap,
                           "nm",
@@ -213,6 +190,37 @@ namespace asperity
     mesh.declare(parameters);
     flow.declare(parameters);
     coupling.declare(parameters);
+  }
+
+
+
+  void
+  LubricationParameters::declare_amount(ParameterDeclarator &parameters)
+  {
+    parameters.choice("Oil amount",
+                      amount,
+                      {{"part of void at start", OilAmount::void_at_start},
+                       {"part of void at touch", OilAmount::void_at_touch},
+                       {"film thickness", OilAmount::film_thickness}},
+                      "How much oil there is: `part of void at start`, "
+                      "Wetting of the void between the surfaces at the "
+                      "start, to which the initial gap belongs; `part of "
+                      "void at touch`, Wetting of what is left of it when "
+                      "they touch; `film thickness`, Oil film. The last two "
+                      "do not depend on the initial gap, which grows if the "
+                      "oil has no room in it.");
+    parameters.number("Wetting",
+                      wetting,
+                      Range::between(0., 1.),
+                      "w, the part of the void between the surfaces that "
+                      "holds oil, as Oil amount says: 0 dry, 1 flooded.");
+    parameters.quantity("Oil film",
+                        film,
+                        "nm",
+                        Range::between(0., 1e-4),
+                        "Volume of oil over area, as minimum quantity "
+                        "lubrication doses it, where Oil amount is `film "
+                        "thickness`.");
   }
 
 

@@ -32,6 +32,48 @@ namespace asperity
           if (cell->at_boundary(f) && cell->face(f)->boundary_id() == side)
             work(cell, f);
     }
+
+
+
+    /** Adds -eta ((grad v)^T n) . w of one point, and its derivative. */
+    void
+    add_shear_at(const dealii::FEFaceValues<2> &values,
+                 const unsigned int             q,
+                 const Tensor<2, 2>            &grad_v,
+                 const double                   p,
+                 const LubricantViscosity      &viscosity,
+                 dealii::Vector<double>        &local,
+                 dealii::FullMatrix<double>    &K)
+    {
+      const auto          &fe   = values.get_fe();
+      const Tensor<1, 2>   n    = values.normal_vector(q);
+      const Tensor<2, 2>   D    = 0.5 * (grad_v + transpose(grad_v));
+      const double         rate = std::sqrt(2. * scalar_product(D, D));
+      const ViscosityValue eta  = viscosity.evaluate(rate, p);
+      const Tensor<1, 2>   t    = transpose(grad_v) * n;
+      for (unsigned int i = 0; i < local.size(); ++i)
+        {
+          const unsigned int c = fe.system_to_component_index(i).first;
+          if (c == 2)
+            continue;
+          const double N = values.shape_value(i, q) * values.JxW(q);
+          local(i) -= eta.value * t[c] * N;
+          for (unsigned int j = 0; j < local.size(); ++j)
+            {
+              const unsigned int d = fe.system_to_component_index(j).first;
+              if (d == 2)
+                {
+                  K(i, j) -=
+                    eta.d_pressure * values.shape_value(j, q) * t[c] * N;
+                  continue;
+                }
+              const Tensor<1, 2> g = values.shape_grad(j, q);
+              const double d_rate  = rate > 0. ? 2. * (D * g)[d] / rate : 0.;
+              K(i, j) -=
+                (eta.value * g[c] * n[d] + eta.d_rate * d_rate * t[c]) * N;
+            }
+        }
+    }
   } // namespace
 
 
@@ -193,37 +235,7 @@ namespace asperity
       local = 0.;
       K     = 0.;
       for (const unsigned int q : values.quadrature_point_indices())
-        {
-          const Tensor<1, 2>   n    = values.normal_vector(q);
-          const Tensor<2, 2>   D    = 0.5 * (grad_v[q] + transpose(grad_v[q]));
-          const double         rate = std::sqrt(2. * scalar_product(D, D));
-          const ViscosityValue eta  = viscosity.evaluate(rate, p[q]);
-          const Tensor<1, 2>   t    = transpose(grad_v[q]) * n;
-          for (unsigned int i = 0; i < n_dofs; ++i)
-            {
-              const unsigned int c = fe.system_to_component_index(i).first;
-              if (c == 2)
-                continue;
-              const double N = values.shape_value(i, q) * values.JxW(q);
-              local(i) -= eta.value * t[c] * N;
-              for (unsigned int j = 0; tangent != nullptr && j < n_dofs; ++j)
-                {
-                  const unsigned int d = fe.system_to_component_index(j).first;
-                  if (d == 2)
-                    K(i, j) -=
-                      eta.d_pressure * values.shape_value(j, q) * t[c] * N;
-                  else
-                    {
-                      const Tensor<1, 2> g = values.shape_grad(j, q);
-                      const double       d_rate =
-                        rate > 0. ? 2. * (D * g)[d] / rate : 0.;
-                      K(i, j) -=
-                        (eta.value * g[c] * n[d] + eta.d_rate * d_rate * t[c]) *
-                        N;
-                    }
-                }
-            }
-        }
+        add_shear_at(values, q, grad_v[q], p[q], viscosity, local, K);
       cell->get_dof_indices(dofs);
       space.topology().distribute_local_to_global(local, dofs, R);
       for (unsigned int i = 0; i < n_dofs; ++i)

@@ -91,11 +91,9 @@ namespace asperity
     const double eta       = x.eta.value;
     const auto  &N         = cell.N;
     const auto  &g         = cell.g;
-    const auto  &H         = cell.H;
     const auto  &I         = cell.index;
     const double tau_3     = s.tau * s.tau * s.tau;
     const double d_tau_eta = -36. * tau_3 * eta * s.G_G;
-    const double moves     = model_.convection ? 1. : 0.;
 
     // One column: derivatives of r, tau, e and of c by an unknown.
     const auto add_column = [&](const unsigned int  column,
@@ -123,10 +121,11 @@ namespace asperity
           {
             const double d_eta = x.eta.d_rate * d_rate[j];
             Tensor<1, 2> dc, dr = d_eta * s.viscous;
-            dc[j] = moves * N[b];
+            dc[j] = model_.convection ? N[b] : 0.;
             for (unsigned int i = 0; i < dim; ++i)
-              dr[i] += rho * x.grad_v[i][j] * dc[j] - eta * H[b][i][j];
-            dr[j] += rho * (rate.now * N[b] + x.c * g[b]) - eta * trace(H[b]);
+              dr[i] += rho * x.grad_v[i][j] * dc[j] - eta * cell.H[b][i][j];
+            dr[j] +=
+              rho * (rate.now * N[b] + x.c * g[b]) - eta * trace(cell.H[b]);
             const double d_tau =
               -tau_3 * rho * rho * (s.Gc * dc) + d_tau_eta * d_eta;
             const double d_e = g[b][j] + N[b] * x.grad_r[j] / x.r;

@@ -31,7 +31,6 @@ TEST(FlowPockets, falls_into_pockets_that_keep_their_oil)
               EXPECT_NEAR(state.oil_volume, start, 1e-12 * start);
             }
           EXPECT_LT(scene.gap_flow->volume_error(), limit);
-          EXPECT_GE(state.n_pockets, 1U);
         });
     }
 }
@@ -116,21 +115,42 @@ TEST(FlowPockets, oil_waits_until_it_fills_the_void)
     }
 }
 
+namespace
+{
+  /** How far the flow is off the model `pocket` in its pressure. */
+  double
+  difference_to_pocket(SceneParameters parameters)
+  {
+    const CompleteRun flow(parameters);
+    parameters.lubrication.model = LubricantModel::pocket;
+    const CompleteRun pocket(parameters);
+    // The start is the same.
+    EXPECT_NEAR(flow.rows()[1].oil_reference_volume /
+                  pocket.rows()[1].oil_reference_volume,
+                1.,
+                1e-12);
+    return std::abs(
+      flow.rows().back().oil_pressure / pocket.rows().back().oil_pressure - 1.);
+  }
+} // namespace
+
 // Where the oil slides slowly its flow makes no pressure of its own: chip, oil
-// and contact share the load as the model `pocket` says.
+// and contact share the load as the model `pocket` says, but for an error of
+// mesh and steps. It falls with both.
 TEST(FlowPockets, carry_as_the_model_pocket_where_the_flow_is_slow)
 {
   SceneParameters parameters     = scene_with_pockets();
   parameters.lubrication.wetting = 0.9;
   parameters.load.velocity /= 10.;
-  const CompleteRun flow(parameters);
-  parameters.lubrication.model = LubricantModel::pocket;
-  const CompleteRun  pocket(parameters);
-  const FrictionRow &a = flow.rows().back(), &b = pocket.rows().back();
-  // A few parts in a thousand of the void are some per cent of the pressure.
-  EXPECT_NEAR(a.void_volume / b.void_volume, 1., 0.005);
-  EXPECT_NEAR(a.oil_pressure / b.oil_pressure, 1., 0.1);
-  EXPECT_NEAR(a.contact_fraction, b.contact_fraction, 0.01);
+  const double coarse = difference_to_pocket(parameters);
+  EXPECT_LT(coarse, 0.1);
+  SceneParameters finer = parameters;
+  finer.mesh.spans *= 2;
+  EXPECT_LT(difference_to_pocket(finer), 0.6 * coarse);
+  finer = parameters;
+  finer.protocol.ramp_steps *= 2;
+  finer.protocol.slide_steps *= 2;
+  EXPECT_LT(difference_to_pocket(finer), 0.6 * coarse);
 }
 
 // A cosine of two waves on a flat chip encloses two pockets of the same size,

@@ -122,6 +122,64 @@ namespace
       }
     return d;
   }
+
+
+
+  /** Two chambers in a row of columns, between them a gate that is shut in
+   *  every other step, while the roof moves. */
+  struct Chambers
+  {
+    Chambers(const unsigned int  n,
+             const unsigned int  gate,
+             const unsigned int  gate_end,
+             const FluidOptions &options)
+      : n(n)
+      , gate(gate)
+      , gate_end(gate_end)
+      , flow(rectangle(n), options, {{0, 1, 0}})
+      , pockets(std::vector<double>(n, 4.5 / n), 0.5)
+    {}
+
+    /** Opens or shuts the gate and moves the roof to the end of the step.
+     *  @return whether the gate is shut */
+    bool
+    begin(const unsigned int step, const double dt)
+    {
+      const bool          is_shut = step % 2 == 0;
+      std::vector<double> gaps(n, 1.);
+      for (unsigned int i = gate; i < gate_end; ++i)
+        gaps[i] = is_shut ? 0. : 1.;
+      // Behind the last column there always is a wall.
+      gaps[n - 1] = 0.;
+      pockets.open(gaps, std::vector<double>(n, 0.)); // all flow
+      EXPECT_EQ(pockets.n_pockets(), is_shut ? 2U : 1U);
+      flow.set_active(pockets.is_flowing());
+      flow.begin_step(dt);
+      const double amplitude = 0.05 * std::sin(0.3 * (step + 1.));
+      EXPECT_TRUE(flow.set_mesh_displacement(lifted_roof(flow, amplitude)));
+      flow.boundary().set_wall_velocity(roof, flow.wall_mesh_velocity(roof));
+      return is_shut;
+    }
+
+    const unsigned int       n, gate, gate_end;
+    const BoundaryIds        floor = {2}, roof = {3};
+    dealii::Triangulation<2> mesh;
+    NavierStokes             flow;
+    GapPockets               pockets;
+
+  private:
+    const dealii::Triangulation<2> &
+    rectangle(const unsigned int n_columns)
+    {
+      dealii::GridGenerator::subdivided_hyper_rectangle(mesh,
+                                                        {n_columns, 1U},
+                                                        dealii::Point<2>(),
+                                                        dealii::Point<2>(4.5,
+                                                                         1.),
+                                                        true);
+      return mesh;
+    }
+  };
 } // namespace
 
 // Two chambers in a row, a column between them that opens and closes again 100
@@ -132,39 +190,23 @@ namespace
 // is the same for all of it. What the pockets hold is conserved throughout.
 TEST(GapPockets, merge_and_part_a_hundred_times)
 {
-  constexpr unsigned int   n = 45, gate = 20, gate_end = 25;
-  dealii::Triangulation<2> mesh;
-  dealii::GridGenerator::subdivided_hyper_rectangle(
-    mesh, {n, 1U}, dealii::Point<2>(), dealii::Point<2>(4.5, 1.), true);
   FluidOptions options;
   options.model.density             = 1e-3;
   options.model.viscosity.viscosity = 1e-6;
   options.scheme                    = FluidTimeScheme::implicit_euler;
-  NavierStokes       flow(mesh, options, {{0, 1, 0}});
-  const BoundaryIds  floor = {2}, roof = {3};
+  const unsigned int n              = 45;
   const double       alpha = 100., dt = 0.1;
-  GapPockets         pockets(std::vector<double>(n, 0.1), 0.5);
-  const unsigned int n_floor = flow.boundary().nodes(floor).size();
-  flow.boundary().set_robin(floor,
+  Chambers           chambers(n, 20, 25, options);
+  NavierStokes      &flow    = chambers.flow;
+  GapPockets        &pockets = chambers.pockets;
+  const unsigned int n_floor = flow.boundary().nodes(chambers.floor).size();
+  flow.boundary().set_robin(chambers.floor,
                             std::vector<double>(n_floor, alpha),
                             NodalVectors(n_floor),
                             NodalVectors(n_floor));
   for (unsigned int step = 0; step < 200; ++step)
     {
-      const bool          is_shut = step % 2 == 0;
-      std::vector<double> gaps(n, 1.);
-      for (unsigned int i = gate; i < gate_end; ++i)
-        gaps[i] = is_shut ? 0. : 1.;
-      // Behind the last column there always is a wall.
-      gaps[n - 1] = 0.;
-      pockets.open(gaps, std::vector<double>(n, 0.)); // all flow
-      ASSERT_EQ(pockets.n_pockets(), is_shut ? 2U : 1U);
-      flow.set_active(pockets.is_flowing());
-      flow.begin_step(dt);
-      // The roof at the end of the step.
-      const double amplitude = 0.05 * std::sin(0.3 * (step + 1.));
-      ASSERT_TRUE(flow.set_mesh_displacement(lifted_roof(flow, amplitude)));
-      flow.boundary().set_wall_velocity(roof, flow.wall_mesh_velocity(roof));
+      const bool is_shut = chambers.begin(step, dt);
       // The columns are the cells. Those of seals are full, too.
       const std::vector<double> areas = flow.cell_areas();
       std::vector<double>       oil   = pockets.oil();
@@ -199,36 +241,22 @@ TEST(GapPockets, merge_and_part_a_hundred_times)
 // whatever the gate has done.
 TEST(GapPockets, of_compressible_oil_have_the_pressure_of_their_density)
 {
-  constexpr unsigned int   n = 18, gate = 8, gate_end = 10;
-  dealii::Triangulation<2> mesh;
-  dealii::GridGenerator::subdivided_hyper_rectangle(
-    mesh, {n, 1U}, dealii::Point<2>(), dealii::Point<2>(4.5, 1.), true);
   FluidOptions options;
   options.model.density             = 1e-3;
   options.model.viscosity.viscosity = 1e-6;
   options.model.compressibility     = {DensityLaw::murnaghan, 10., 8.};
-  NavierStokes      flow(mesh, options, {{0, 1, 0}});
-  const BoundaryIds floor = {2}, roof = {3};
-  GapPockets        pockets(std::vector<double>(n, 4.5 / n), 0.5);
+  const unsigned int n              = 18;
+  Chambers           chambers(n, 8, 10, options);
+  NavierStokes      &flow    = chambers.flow;
+  GapPockets        &pockets = chambers.pockets;
   flow.boundary().set_wall_velocity(
-    floor, NodalVectors(flow.boundary().nodes(floor).size()));
+    chambers.floor, NodalVectors(flow.boundary().nodes(chambers.floor).size()));
   for (unsigned int step = 0; step < 200; ++step)
     {
-      const bool          is_shut = step % 2 == 0;
-      std::vector<double> gaps(n, 1.);
-      for (unsigned int i = gate; i < gate_end; ++i)
-        gaps[i] = is_shut ? 0. : 1.;
-      gaps[n - 1] = 0.;
-      pockets.open(gaps, std::vector<double>(n, 0.)); // all flow
-      flow.set_active(pockets.is_flowing());
-      flow.begin_step(0.1);
-      const double amplitude = 0.05 * std::sin(0.3 * (step + 1.));
-      ASSERT_TRUE(flow.set_mesh_displacement(lifted_roof(flow, amplitude)));
-      flow.boundary().set_wall_velocity(roof, flow.wall_mesh_velocity(roof));
+      chambers.begin(step, 0.1);
       // The oil in seals is as dense as that beside it.
       const std::vector<double> areas = flow.cell_areas();
       const std::vector<double> oil   = pockets.oil();
-      ASSERT_EQ(oil.size(), is_shut ? 2U : 1U);
       std::vector<double> room(oil.size()), wanted(oil), found(oil.size());
       for (unsigned int i = 0; i < n; ++i)
         room[pockets.pocket(i)] += areas[i];

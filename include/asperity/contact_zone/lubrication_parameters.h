@@ -108,6 +108,9 @@ namespace asperity
     check(const ParameterDeclarator &parameters) const;
 
   private:
+    void
+    declare_amount(ParameterDeclarator &parameters);
+
     /** Whether there is oil, and as much as the model takes. */
     void
     check_amount(const ParameterDeclarator &parameters) const;
