@@ -1,0 +1,135 @@
+#ifndef asperity_heat_heat_conduction_h
+#define asperity_heat_heat_conduction_h
+
+#include <asperity/heat/body_continuation.h>
+#include <asperity/heat/thermal_properties.h>
+#include <asperity/isogeometric/basis_table.h>
+#include <asperity/solvers/direct_solver.h>
+
+#include <deal.II/lac/sparse_matrix.h>
+#include <deal.II/lac/sparsity_pattern.h>
+#include <deal.II/lac/vector.h>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace asperity
+{
+  class InputArchive;
+  class OutputArchive;
+
+  /**
+   * Conduction of heat in a deforming body, in the reference frame:
+   *
+   *   rho0 c dT/dt = Div(K Grad T) + s,  K = lambda J F^{-1} F^{-T},
+   *
+   * with F = 1 + Grad u the deformation of the step, F_33 = 1, and a source s
+   * per reference volume; conduction is isotropic in the current frame. T is a
+   * spline, the scheme backward Euler, of first order in time. Without loads
+   * its edges are insulated. The functions sum to one, so heat is conserved to
+   * round-off: what comes in is stored, or goes on to continue_beyond().
+   *
+   * Vectors have an entry a function; temperatures are rises over the one that
+   * the body starts from, so that a body at rest stays there to the last bit.
+   */
+  class HeatConduction
+  {
+  public:
+    using Vector = dealii::Vector<double>;
+
+    /**
+     * @param cells of the body, which must outlive this object; its
+     *   quadrature is also that of the source, and its points are those of
+     *   the material
+     * @param n_functions of the space
+     * @param material its density is that of the reference
+     */
+    HeatConduction(const BasisTable        &cells,
+                   const unsigned int       n_functions,
+                   const ThermalProperties &material);
+
+    /** Lets the body go on beyond an edge, see BodyContinuation. */
+    void
+    continue_beyond(const BasisTable  &edge,
+                    const double       period,
+                    const unsigned int n_waves);
+
+    /**
+     * Begins a step, or begins it anew.
+     * @param u displacement, numbered by displacement_dof(), at the end of the
+     *   step [m]; must not fold the body
+     * @param dt length [s]
+     * @throws ComputationError if the matrix cannot be factorised
+     */
+    void
+    begin_step(const Vector &u, const double dt);
+
+    /** power_a += int N_a s dV [W/m], with s per reference volume at the
+     *  points of the cells [W/m^3]. */
+    void
+    add_source(const std::vector<double> &source, Vector &power) const;
+
+    /** Replaces a power by function [W/m] by the rise at the end of the step
+     *  that it causes alone [K]. */
+    void
+    respond(Vector &power) const;
+
+    /** Rise over the step [K] under a power by function [W/m]. */
+    Vector
+    change(const Vector &power) const;
+
+    /** The step ends with this change. */
+    void
+    accept(const Vector &change);
+
+    /** Coefficients of the rise at the end of the last step [K]. */
+    const Vector &
+    rise() const;
+
+    /** The rise at the points of the cells [K]. */
+    std::vector<double>
+    rise_at_points() const;
+
+    /** Heat stored beyond that of the start, per thickness [J/m]. */
+    double
+    stored() const;
+
+    /** Heat that has gone on beyond the edge, per thickness [J/m]; 0 without
+     *  continuation. */
+    double
+    passed_on() const;
+
+    void
+    save(OutputArchive &archive) const;
+
+    /** @throws InputError if the archive is of another body */
+    void
+    load(InputArchive &archive);
+
+  private:
+    void
+    make_pattern();
+
+    void
+    assemble_capacity();
+
+    void
+    assemble_conductance(const Vector &u);
+
+    const BasisTable               &cells;
+    ThermalProperties               material;
+    std::optional<BodyContinuation> continuation;
+
+    dealii::SparsityPattern       pattern;
+    dealii::SparseMatrix<double>  capacity;    ///< int rho0 c N_a N_b dV
+    dealii::SparseMatrix<double>  conductance; ///< int Grad N_a K Grad N_b dV
+    dealii::SparseMatrix<double>  matrix;
+    std::unique_ptr<DirectSolver> solver;
+
+    Vector rise_;
+    Vector heat_content; ///< int rho0 c N_a dV [J/(m K)]
+  };
+} // namespace asperity
+
+#endif

@@ -1,0 +1,139 @@
+#ifndef asperity_tests_heat_chip_examples_h
+#define asperity_tests_heat_chip_examples_h
+
+#include <asperity/heat/heat_conduction.h>
+#include <asperity/isogeometric/element_view.h>
+#include <asperity/isogeometric/spline_space.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace heat_example
+{
+  using namespace asperity;
+  using dealii::Point;
+  using Vector = dealii::Vector<double>;
+
+  /** A block, periodic in x, with n spans along x and rows as given. */
+  struct Block
+  {
+    Block(const unsigned int         degree,
+          const double               length,
+          const unsigned int         n,
+          const std::vector<double> &rows)
+      : length(length)
+      , space(KnotVector(degree, columns(length, n), true),
+              KnotVector(degree, rows))
+      , cells(tabulate_cells(space, {}, dealii::QGauss<2>(degree + 1)))
+      , top(edge(Edge::top))
+      , bottom(edge(Edge::bottom))
+    {}
+
+    static std::vector<double>
+    columns(const double length, const unsigned int n)
+    {
+      std::vector<double> x;
+      for (unsigned int i = 0; i <= n; ++i)
+        x.push_back(length * i / n);
+      return x;
+    }
+
+    BasisTable
+    edge(const Edge edge) const
+    {
+      return tabulate_edge(
+        space, {}, edge, dealii::QGauss<1>(space.degree() + 2), true);
+    }
+
+    HeatConduction
+    conduction(const ThermalProperties &material) const
+    {
+      return HeatConduction(cells, space.n_functions(), material);
+    }
+
+    /** A displacement at rest. */
+    Vector
+    at_rest() const
+    {
+      return Vector(2 * space.n_functions());
+    }
+
+    /** The projection of a displacement. */
+    Vector
+    displacement(
+      const std::function<std::vector<double>(const Point<2> &)> &f) const
+    {
+      const auto coefficients = space.project(f, 2);
+      Vector     u            = at_rest();
+      for (unsigned int a = 0; a < space.n_functions(); ++a)
+        for (unsigned int c = 0; c < 2; ++c)
+          u(displacement_dof(a, c)) = coefficients[c][a];
+      return u;
+    }
+
+    /** Values of a function at the points of the cells. */
+    std::vector<double>
+    at_points(const std::function<double(const Point<2> &)> &f) const
+    {
+      std::vector<double> values;
+      for (const Point<2> &X : cells.position)
+        values.push_back(f(X));
+      return values;
+    }
+
+    /** power_a += int N_a f dS along an edge. */
+    static void
+    add_flux(const BasisTable                              &edge,
+             const std::function<double(const Point<2> &)> &f,
+             Vector                                        &power)
+    {
+      for (const auto &entry : edge.elements)
+        {
+          const ElementView element(edge, entry);
+          for (unsigned int q = 0; q < edge.points_per_element; ++q)
+            for (unsigned int a = 0; a < element.n_functions(); ++a)
+              power(element.function(a)) += element.N(q, a) * element.JxW(q) *
+                                            f(edge.position[element.point(q)]);
+        }
+    }
+
+    /** Values of a spline at the points of an edge. */
+    static std::vector<double>
+    trace(const BasisTable &edge, const Vector &coefficients)
+    {
+      std::vector<double> values(edge.JxW.size(), 0.);
+      for (const auto &entry : edge.elements)
+        {
+          const ElementView element(edge, entry);
+          for (unsigned int q = 0; q < edge.points_per_element; ++q)
+            for (unsigned int a = 0; a < element.n_functions(); ++a)
+              values[element.point(q)] +=
+                element.N(q, a) * coefficients(element.function(a));
+        }
+      return values;
+    }
+
+    double      length;
+    SplineSpace space;
+    BasisTable  cells, top, bottom;
+  };
+
+  /** Levels from 0 to `height`, finest at the top, where a row is `top` high;
+   *  each is higher than the one above it by `grading`. */
+  inline std::vector<double>
+  rows(const double height, const double top, const double grading)
+  {
+    std::vector<double> depth = {0.};
+    for (double row = top; depth.back() + 0.5 * row < height; row *= grading)
+      depth.push_back(depth.back() + row);
+    std::vector<double> levels;
+    for (auto d = depth.rbegin(); d != depth.rend(); ++d)
+      levels.push_back(height * (1. - *d / depth.back()));
+    return levels;
+  }
+} // namespace heat_example
+
+#endif
