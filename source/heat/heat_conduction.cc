@@ -1,6 +1,7 @@
 #include <asperity/base/archive.h>
 #include <asperity/base/errors.h>
 #include <asperity/heat/heat_conduction.h>
+#include <asperity/heat/point_values.h>
 #include <asperity/isogeometric/element_view.h>
 
 #include <deal.II/base/tensor.h>
@@ -159,17 +160,11 @@ namespace asperity
 
 
   void
-  HeatConduction::add_source(const std::vector<double> &source,
-                             Vector                    &power) const
+  HeatConduction::add_source(const Vector &source, Vector &power) const
   {
-    for (const auto &entry : cells.elements)
-      {
-        const ElementView element(cells, entry);
-        for (unsigned int q = 0; q < cells.points_per_element; ++q)
-          for (unsigned int a = 0; a < element.n_functions(); ++a)
-            power(element.function(a)) +=
-              element.N(q, a) * source[element.point(q)] * element.JxW(q);
-      }
+    Vector heat = source;
+    heat.scale(Vector(cells.JxW.begin(), cells.JxW.end()));
+    add_point_values(cells, heat, power);
   }
 
 
@@ -215,19 +210,10 @@ namespace asperity
 
 
 
-  std::vector<double>
+  Vector
   HeatConduction::rise_at_points() const
   {
-    std::vector<double> values(cells.JxW.size(), 0.);
-    for (const auto &entry : cells.elements)
-      {
-        const ElementView element(cells, entry);
-        for (unsigned int q = 0; q < cells.points_per_element; ++q)
-          for (unsigned int a = 0; a < element.n_functions(); ++a)
-            values[element.point(q)] +=
-              element.N(q, a) * rise_(element.function(a));
-      }
-    return values;
+    return values_at_points(cells, rise_);
   }
 
 

@@ -2,7 +2,8 @@
 #define asperity_tests_heat_chip_examples_h
 
 #include <asperity/heat/heat_conduction.h>
-#include <asperity/isogeometric/element_view.h>
+#include <asperity/heat/point_values.h>
+#include <asperity/isogeometric/force_term.h>
 #include <asperity/isogeometric/spline_space.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -75,12 +76,12 @@ namespace heat_example
     }
 
     /** Values of a function at the points of the cells. */
-    std::vector<double>
+    Vector
     at_points(const std::function<double(const Point<2> &)> &f) const
     {
-      std::vector<double> values;
-      for (const Point<2> &X : cells.position)
-        values.push_back(f(X));
+      Vector values(cells.position.size());
+      for (unsigned int q = 0; q < values.size(); ++q)
+        values(q) = f(cells.position[q]);
       return values;
     }
 
@@ -90,30 +91,10 @@ namespace heat_example
              const std::function<double(const Point<2> &)> &f,
              Vector                                        &power)
     {
-      for (const auto &entry : edge.elements)
-        {
-          const ElementView element(edge, entry);
-          for (unsigned int q = 0; q < edge.points_per_element; ++q)
-            for (unsigned int a = 0; a < element.n_functions(); ++a)
-              power(element.function(a)) += element.N(q, a) * element.JxW(q) *
-                                            f(edge.position[element.point(q)]);
-        }
-    }
-
-    /** Values of a spline at the points of an edge. */
-    static std::vector<double>
-    trace(const BasisTable &edge, const Vector &coefficients)
-    {
-      std::vector<double> values(edge.JxW.size(), 0.);
-      for (const auto &entry : edge.elements)
-        {
-          const ElementView element(edge, entry);
-          for (unsigned int q = 0; q < edge.points_per_element; ++q)
-            for (unsigned int a = 0; a < element.n_functions(); ++a)
-              values[element.point(q)] +=
-                element.N(q, a) * coefficients(element.function(a));
-        }
-      return values;
+      Vector heat(edge.JxW.size());
+      for (unsigned int q = 0; q < heat.size(); ++q)
+        heat(q) = edge.JxW[q] * f(edge.position[q]);
+      add_point_values(edge, heat, power);
     }
 
     double      length;

@@ -52,8 +52,8 @@ namespace
     Block::add_flux(
       block.bottom, [&](const Point<2> &X) { return -3. * phi(X); }, power);
     body.accept(body.change(power));
-    const std::vector<double> rise = body.rise_at_points();
-    double                    sum  = 0.;
+    const Vector rise = body.rise_at_points();
+    double       sum  = 0.;
     for (unsigned int q = 0; q < rise.size(); ++q)
       sum += block.cells.JxW[q] *
              std::pow(rise[q] - phi(block.cells.position[q]), 2);
@@ -96,8 +96,8 @@ TEST(HeatConduction, converges_in_time)
                         power);
         body.accept(body.change(power));
       }
-    const std::vector<double> rise    = body.rise_at_points();
-    double                    largest = 0.;
+    const Vector rise    = body.rise_at_points();
+    double       largest = 0.;
     for (unsigned int q = 0; q < rise.size(); ++q)
       largest =
         std::max(largest,
@@ -137,8 +137,8 @@ namespace
           block.top, [&](const Point<2> &X) { return 1. + wave(X); }, power);
         body.accept(body.change(power));
       }
-    const std::vector<double> top  = Block::trace(block.top, body.rise());
-    double                    mean = 0., amplitude = 0.;
+    const Vector top  = values_at_points(block.top, body.rise());
+    double       mean = 0., amplitude = 0.;
     for (unsigned int q = 0; q < top.size(); ++q)
       {
         mean += block.top.JxW[q] * top[q];
@@ -220,7 +220,7 @@ TEST(HeatConduction, keeps_heat_where_it_is_done_without_conductivity)
       body.add_source(source, power);
       body.accept(body.change(power));
     }
-  const std::vector<double> rise = body.rise_at_points();
+  const Vector rise = body.rise_at_points();
   for (unsigned int q = 0; q < rise.size(); ++q)
     EXPECT_NEAR(rise[q], 0.3 * source[q] / 10., 1e-11);
 }

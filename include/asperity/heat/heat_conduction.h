@@ -12,7 +12,6 @@
 
 #include <memory>
 #include <optional>
-#include <vector>
 
 namespace asperity
 {
@@ -68,7 +67,7 @@ namespace asperity
     /** power_a += int N_a s dV [W/m], with s per reference volume at the
      *  points of the cells [W/m^3]. */
     void
-    add_source(const std::vector<double> &source, Vector &power) const;
+    add_source(const Vector &source, Vector &power) const;
 
     /** Replaces a power by function [W/m] by the rise at the end of the step
      *  that it causes alone [K]. */
@@ -88,7 +87,7 @@ namespace asperity
     rise() const;
 
     /** The rise at the points of the cells [K]. */
-    std::vector<double>
+    Vector
     rise_at_points() const;
 
     /** Heat stored beyond that of the start, per thickness [J/m]. */

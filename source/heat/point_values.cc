@@ -1,0 +1,39 @@
+#include <asperity/heat/point_values.h>
+#include <asperity/isogeometric/element_view.h>
+
+namespace asperity
+{
+  using Vector = dealii::Vector<double>;
+
+  Vector
+  values_at_points(const BasisTable &table, const Vector &coefficients)
+  {
+    Vector values(table.JxW.size());
+    for (const auto &entry : table.elements)
+      {
+        const ElementView element(table, entry);
+        for (unsigned int q = 0; q < table.points_per_element; ++q)
+          for (unsigned int a = 0; a < element.n_functions(); ++a)
+            values(element.point(q)) +=
+              element.N(q, a) * coefficients(element.function(a));
+      }
+    return values;
+  }
+
+
+
+  void
+  add_point_values(const BasisTable &table,
+                   const Vector     &values,
+                   Vector           &result)
+  {
+    for (const auto &entry : table.elements)
+      {
+        const ElementView element(table, entry);
+        for (unsigned int q = 0; q < table.points_per_element; ++q)
+          for (unsigned int a = 0; a < element.n_functions(); ++a)
+            result(element.function(a)) +=
+              element.N(q, a) * values(element.point(q));
+      }
+  }
+} // namespace asperity

@@ -1,0 +1,213 @@
+#include <asperity/base/archive.h>
+#include <asperity/base/errors.h>
+#include <asperity/heat/point_values.h>
+#include <asperity/heat/thermal_contact.h>
+
+#include <deal.II/lac/precondition.h>
+#include <deal.II/lac/solver_cg.h>
+
+#include <cmath>
+
+namespace asperity
+{
+  using Vector = dealii::Vector<double>;
+
+  namespace
+  {
+    /** Of the exchange, relative; it decides about temperatures, not about the
+     *  balance of heat. */
+    constexpr double tolerance = 1e-10;
+
+    /** What the temperature of the tool's surface answers to heat at points. */
+    class ToolResponse
+    {
+    public:
+      ToolResponse(const PeriodicHalfSpace   &tool,
+                   const std::vector<double> &x,
+                   const double               dt)
+        : basis(tool.basis())
+        , values(basis.values(x))
+        , response(tool.response(dt))
+      {}
+
+      /** Coefficients of the flux, of heat by point [W/m]. */
+      Vector
+      flux(const Vector &heat) const
+      {
+        Vector q(values.n());
+        values.Tvmult(q, heat);
+        for (unsigned int m = 0; m < q.size(); ++m)
+          q(m) *= basis.norm(m);
+        return q;
+      }
+
+      /** Rise at the points by a flux in the step, plus another rise. */
+      Vector
+      rise(const Vector &flux, const Vector &coefficients) const
+      {
+        Vector theta = flux;
+        theta.scale(response);
+        theta += coefficients;
+        Vector rise(values.m());
+        values.vmult(rise, theta);
+        return rise;
+      }
+
+    private:
+      const FourierBasis        &basis;
+      dealii::FullMatrix<double> values;
+      Vector                     response;
+    };
+
+    /** As conjugate gradients see a matrix. */
+    template <class Product>
+    struct Operator
+    {
+      Product product;
+
+      void
+      vmult(Vector &result, const Vector &y) const
+      {
+        result = product(y);
+      }
+    };
+
+    /** Solves product(y) = right.
+     *  @return number of iterations */
+    template <class Product>
+    unsigned int
+    conjugate_gradients(const Product &product, const Vector &right, Vector &y)
+    {
+      const double norm = right.l2_norm();
+      if (norm == 0.)
+        return 0;
+      dealii::SolverControl control(right.size(), tolerance * norm);
+      try
+        {
+          dealii::SolverCG<Vector>(control).solve(
+            Operator<Product>{product},
+            y,
+            right,
+            dealii::PreconditionIdentity());
+        }
+      catch (const dealii::SolverControl::NoConvergence &)
+        {
+          throw ComputationError(
+            "The exchange of heat between chip and tool was not found within " +
+            std::to_string(right.size()) + " iterations.");
+        }
+      return control.last_step();
+    }
+  } // namespace
+
+
+
+  ThermalContact::ThermalContact(const BasisTable        &edge,
+                                 const ThermalProperties &tool,
+                                 const double             period,
+                                 const unsigned int       n_waves,
+                                 const double             offset)
+    : edge(edge)
+    , tool(tool, period, n_waves)
+    , offset(offset)
+  {}
+
+
+
+  ThermalContact::Step
+  ThermalContact::solve(const HeatConduction &chip,
+                        const double          dt,
+                        const Vector         &power,
+                        const InterfaceHeat  &interface) const
+  {
+    const unsigned int n = edge.JxW.size();
+    const ToolResponse tool_response(tool, interface.x, dt);
+    Vector             half_friction(n), s(n);
+    for (unsigned int q = 0; q < n; ++q)
+      {
+        half_friction(q) = 0.5 * interface.friction[q] * edge.JxW[q];
+        s(q)             = std::sqrt(interface.conductance[q] * edge.JxW[q]);
+      }
+
+    // Without exchange.
+    Step step;
+    step.dt      = dt;
+    Vector total = power;
+    add_point_values(edge, half_friction, total);
+    step.chip_change        = chip.change(total);
+    step.tool_flux          = tool_response.flux(half_friction);
+    const Vector remembered = tool.remembered(dt);
+    Vector       chip_rise  = values_at_points(edge, chip.rise());
+    chip_rise += values_at_points(edge, step.chip_change);
+    Vector tool_rise = tool_response.rise(step.tool_flux, remembered);
+    tool_rise.add(offset);
+
+    // Heat by point that goes over from chip to tool [W/m] is s y.
+    const auto respond = [&](const Vector &heat) {
+      Vector result(power.size());
+      add_point_values(edge, heat, result);
+      chip.respond(result);
+      return result;
+    };
+    const Vector none(remembered.size());
+    const auto   product = [&](const Vector &y) {
+      Vector heat = y;
+      heat.scale(s);
+      Vector result = values_at_points(edge, respond(heat));
+      result += tool_response.rise(tool_response.flux(heat), none);
+      result.scale(s);
+      result += y;
+      return result;
+    };
+    Vector right = chip_rise;
+    right -= tool_rise;
+    right.scale(s);
+    Vector y(n);
+    step.iterations = conjugate_gradients(product, right, y);
+
+    y.scale(s);
+    Vector       from_chip = respond(y);
+    const Vector to_tool   = tool_response.flux(y);
+    step.chip_change -= from_chip;
+    step.tool_flux += to_tool;
+    chip_rise -= values_at_points(edge, from_chip);
+    tool_rise += tool_response.rise(to_tool, none);
+    step.chip.assign(chip_rise.begin(), chip_rise.end());
+    step.tool.assign(tool_rise.begin(), tool_rise.end());
+    for (unsigned int q = 0; q < n; ++q)
+      step.to_tool.push_back((half_friction(q) + y(q)) / edge.JxW[q]);
+    return step;
+  }
+
+
+
+  void
+  ThermalContact::accept(const Step &step)
+  {
+    tool.accept(step.tool_flux, step.dt);
+  }
+
+
+
+  double
+  ThermalContact::heat_of_tool() const
+  {
+    return tool.heat();
+  }
+
+
+
+  void
+  ThermalContact::save(OutputArchive &archive) const
+  {
+    tool.save(archive);
+  }
+
+
+
+  void
+  ThermalContact::load(InputArchive &archive)
+  {
+    tool.load(archive);
+  }
+} // namespace asperity
