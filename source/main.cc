@@ -8,6 +8,7 @@
 #include <asperity/base/exit_status.h>
 #include <asperity/base/text.h>
 #include <asperity/base/version.h>
+#include <asperity/experiment/commands.h>
 #include <asperity/law_export/commands.h>
 
 #include <unistd.h>
@@ -66,7 +67,10 @@ namespace
        predict_friction},
       {"export LAW DIRECTORY",
        "a trained law for Abaqus, DEFORM, LS-DYNA, C and Fortran",
-       export_friction_law}};
+       export_friction_law},
+      {"fit MEASURED.csv LAW",
+       "a power law over the velocity from measured friction",
+       fit_measured_friction}};
     return table;
   }
 

@@ -9,6 +9,9 @@ namespace asperity
     if (mechanisms.empty())
       return "Which mechanisms are in this mu is not known: its file is older "
              "than their list.";
+    if (mechanisms == std::vector<std::string>{measured_mechanisms})
+      return "This mu was fitted to measurements: whatever acted in their "
+             "contact is in it.";
     return "This mu comes from " + join(mechanisms, " and ") +
            (mechanisms.size() == 1 ? " alone" : "") +
            "; adhesion, the shear of the dry interface, is not in it.";

@@ -74,7 +74,7 @@ namespace asperity
       stated.push_back(0.); // C has no empty arrays
       return "/* which input of p, v, T and the further ones each is */\n" +
              array("int", "place", "D", place) +
-             "/* how the kernel sees it: (g(x) - origin)/span/length, g = log "
+             "/* how the fit sees it: (g(x) - origin)/span/length, g = log "
              "or identity */\n" +
              array("int", "sees_logarithm", "D", logarithm) +
              array("origin", "D", origin) + array("span", "D", span) +
@@ -103,28 +103,60 @@ namespace asperity
     std::string
     data(const ExportedNumbers &numbers)
     {
-      const bool has_deviation = !numbers.B.empty();
       return define("D", numbers.coordinates.size()) +
-             define("N", numbers.weights.size()) +
-             define("KERNEL", numbers.kernel_number()) +
              define("LOGARITHMIC", numbers.output_scale == Scale::logarithmic) +
-             define("HAS_DEVIATION", has_deviation) +
+             define("HAS_DEVIATION", numbers.has_deviation) +
              define("HAS_LIMIT", numbers.shear_limit.k_0 > 0.) +
              define("SOFTENS", numbers.shear_limit.softens) + "\n" +
-             inputs(numbers) +
-             "/* scaled inputs of the training runs, and their weights */\n" +
-             array("points", "N * D", numbers.points) +
-             array("weights", "N", numbers.weights) +
-             "/* inverse triangular factor of the covariance, row by row */\n" +
-             (has_deviation ? array("B", "N * (N + 1) / 2", numbers.B) :
-                              array("B", "1", {0.})) +
-             constant("sum_of_weights", numbers.sum_of_weights) +
-             constant("signal_variance", numbers.signal_variance) +
-             constant("offset", numbers.offset) +
+             inputs(numbers) + constant("offset", numbers.offset) +
              constant("factor", numbers.factor) +
              constant("largest_trusted_deviation",
                       numbers.largest_trusted_deviation) +
              shear_limit(numbers.shear_limit);
+    }
+
+    std::string
+    runs(const ExportedNumbers &numbers)
+    {
+      return define("N", numbers.weights.size()) +
+             define("KERNEL", numbers.kernel_number()) + "\n" +
+             "/* scaled inputs of the training runs, and their weights */\n" +
+             array("points", "N * D", numbers.points) +
+             array("weights", "N", numbers.weights) +
+             "/* inverse triangular factor of the covariance, row by row */\n" +
+             (numbers.has_deviation ? array("B", "N * (N + 1) / 2", numbers.B) :
+                                      array("B", "1", {0.})) +
+             constant("sum_of_weights", numbers.sum_of_weights) +
+             constant("signal_variance", numbers.signal_variance);
+    }
+
+    std::string
+    constants(const ExportedNumbers::Fitted &fitted)
+    {
+      return constant("level", fitted.level) + constant("knee", fitted.knee) +
+             constant("slope", fitted.slope) + constant("end", fitted.end) +
+             "/* of level, knee and slope, row by row */\n" +
+             array("covariance",
+                   "9",
+                   {fitted.covariance.begin(), fitted.covariance.end()});
+    }
+
+    /** What was trained or fitted. */
+    std::string
+    model(const ExportedNumbers &numbers)
+    {
+      if (numbers.fitted)
+        return law_template::fill(law_template::piecewise_power_law_c,
+                                  [&](const std::string &) {
+                                    return constants(*numbers.fitted);
+                                  });
+      return law_template::fill(law_template::gaussian_process_c,
+                                [&](const std::string &block) {
+                                  return block == "kernels" ?
+                                           std::string(
+                                             law_template::kernel_formulas_h) :
+                                           runs(numbers);
+                                });
     }
   } // namespace
 
@@ -158,7 +190,7 @@ namespace asperity
     std::vector<std::string> title = {
       "tribmu.c: friction coefficient by pressure, velocity and",
       "temperature, with its derivatives. C99, SI units; see tribmu.h."};
-    if (with_deviation)
+    if (numbers.has_deviation)
       title.push_back("With the deviation: `trusted` is that of the program.");
     else
       for (
@@ -169,10 +201,8 @@ namespace asperity
     return comment(title, law) +
            law_template::fill(law_template::tribmu_c,
                               [&](const std::string &block) {
-                                return block == "kernels" ?
-                                         std::string(
-                                           law_template::kernel_formulas_h) :
-                                         data(numbers);
+                                return block == "model" ? model(numbers) :
+                                                          data(numbers);
                               });
   }
 } // namespace asperity

@@ -6,6 +6,7 @@
 #include <asperity/base/text.h>
 #include <asperity/law_export/commands.h>
 #include <asperity/law_export/export_law.h>
+#include <asperity/law_export/law_options.h>
 #include <asperity/surrogate/power_law.h>
 
 #include <algorithm>
@@ -14,7 +15,6 @@
 #include <limits>
 
 #include "export_text.h"
-#include "law_options.h"
 
 namespace asperity
 {
@@ -255,7 +255,10 @@ namespace asperity
               << format_quantity(at.upper, "1", 5) << "\n"
               << trust_line(description, point, at) << "\n";
     std::cout << mechanisms_sentence(description.mechanisms) << "\n"
-              << surface_line(description, at) << "\n";
+              << (law.fitted() == nullptr ?
+                    surface_line(description, at) :
+                    to_string(law.fitted()->law(), description.inputs[0].unit))
+              << "\n";
     print_derivatives(description, at);
     print_shear(description, point, at);
     return 0;
@@ -289,7 +292,8 @@ namespace asperity
       return 0;
     print_report(export_law(law, options.words[1], export_options),
                  options.words[1]);
-    print_comparison(law);
+    if (law.fitted() == nullptr)
+      print_comparison(law);
     return 0;
   }
 } // namespace asperity

@@ -54,7 +54,8 @@ namespace asperity
       write_sources()
       {
         report.has_deviation =
-          law.law().process().data().y.size() <= options.largest_factor_size;
+          law.law().fitted() != nullptr ||
+          law.law().data().y.size() <= options.largest_factor_size;
         if (!report.has_deviation)
           report.warnings.push_back(
             "The law has more than " +
@@ -159,8 +160,8 @@ namespace asperity
            "the user subroutines do that with k(T); Abaqus's table has one "
            "TAUMAX; the other tables do not limit tau.",
            "Outside of the ranges above the law is not to be trusted. The "
-           "source still answers, with finite numbers that far away fall back "
-           "to the mean of the data; tables hold their last value.",
+           "source still answers, with finite numbers that far away tend to a "
+           "constant; tables hold their last value.",
            "Nothing here has been run in Abaqus, LS-DYNA or DEFORM. The "
            "source and the user subroutines were compiled and compared with "
            "the law by the tests of Asperity.",

@@ -41,6 +41,23 @@ namespace asperity
              " over sqrt(3). tau = min(mu p, k).";
     }
 
+    std::string
+    model_line(const FrictionLaw &law)
+    {
+      const FrictionLawDescription &d = law.description();
+      const std::string             n = std::to_string(law.data().y.size());
+      const std::string             left =
+        ", relative leave-one-out error " + percent(d.leave_one_out_error);
+      if (law.fitted() != nullptr)
+        return "Law: " + to_string(law.fitted()->law(), d.inputs[0].unit) +
+               ", fitted to ln(mu) of " + n + " measurements" + left + ".";
+      return "Law: Gaussian process, kernel " +
+             kernel_name(law.process().kernel()) + ", " + n + " runs" + left +
+             ", fitted to " +
+             (d.output_scale == Scale::logarithmic ? "ln(mu)" : "mu") +
+             (d.output == "mu_end" ? " at the end of the runs." : ".");
+    }
+
     /** As wrapped(), but breaks words that are too long as well. */
     void
     append_wrapped(std::vector<std::string> &lines, const std::string &text)
@@ -92,14 +109,7 @@ namespace asperity
     std::vector<std::string>      lines;
     append_wrapped(lines, "Written by " + version_line() + ".");
     append_wrapped(lines, mechanisms_sentence(d.mechanisms));
-    append_wrapped(lines,
-                   "Law: Gaussian process, kernel " +
-                     kernel_name(law.law().process().kernel()) + ", " +
-                     std::to_string(law.law().process().data().y.size()) +
-                     " runs, relative leave-one-out error " +
-                     percent(d.leave_one_out_error) + ", fitted to " +
-                     (d.output_scale == Scale::logarithmic ? "ln(mu)" : "mu") +
-                     (d.output == "mu_end" ? " at the end of the runs." : "."));
+    append_wrapped(lines, model_line(law.law()));
     if (d.topography_scatter > 0.)
       append_wrapped(lines,
                      "Mean over " + std::to_string(d.n_profiles) +

@@ -15,9 +15,7 @@ namespace asperity
     }
 
     ExportedNumbers::Coordinate
-    make_coordinate(const LawInput    &input,
-                    const unsigned int place,
-                    const double       length)
+    make_coordinate(const LawInput &input, const unsigned int place)
     {
       ExportedNumbers::Coordinate c;
       c.place       = place;
@@ -27,7 +25,6 @@ namespace asperity
       c.logarithmic = input.scale == Scale::logarithmic;
       c.origin      = on_scale(input.scale, input.lower);
       c.span        = on_scale(input.scale, input.upper) - c.origin;
-      c.length      = length;
       return c;
     }
   } // namespace
@@ -36,20 +33,14 @@ namespace asperity
 
   ExportedNumbers::ExportedNumbers(const ContactPointLaw &law,
                                    const bool             with_deviation)
-    : kernel(law.law().process().kernel())
-    , output_scale(law.law().description().output_scale)
-    , sum_of_weights(law.law().process().sum_of_weights())
-    , signal_variance(law.law().process().hyperparameters().signal_variance)
+    : output_scale(law.law().description().output_scale)
     , offset(law.law().offset())
     , factor(law.law().factor())
     , largest_trusted_deviation(
         law.law().description().largest_trusted_deviation)
     , shear_limit(law.law().description().shear_limit)
   {
-    const GaussianProcess       &process = law.law().process();
-    const std::vector<LawInput> &inputs  = law.law().description().inputs;
-    const std::vector<double>   &lengths =
-      process.hyperparameters().length_scales;
+    const std::vector<LawInput> &inputs = law.law().description().inputs;
     for (std::size_t i = 0; i < inputs.size(); ++i)
       {
         unsigned int place = law.coordinates()[i];
@@ -61,16 +52,53 @@ namespace asperity
                accepted_units(dimension_of(inputs[i].unit)).front(),
                law.fixed_values()[i]});
           }
-        coordinates.push_back(make_coordinate(inputs[i], place, lengths[i]));
+        coordinates.push_back(make_coordinate(inputs[i], place));
       }
+    if (law.law().fitted() != nullptr)
+      set(*law.law().fitted());
+    else
+      set(law.law().process(), with_deviation);
+  }
+
+
+
+  void
+  ExportedNumbers::set(const GaussianProcess &process,
+                       const bool             with_deviation)
+  {
+    kernel          = process.kernel();
+    sum_of_weights  = process.sum_of_weights();
+    signal_variance = process.hyperparameters().signal_variance;
+    has_deviation   = with_deviation;
+    const std::vector<double> &lengths =
+      process.hyperparameters().length_scales;
+    for (std::size_t i = 0; i < lengths.size(); ++i)
+      coordinates[i].length = lengths[i];
     points = process.data().x;
     for (std::size_t k = 0; k < points.size(); ++k)
-      points[k] /= lengths[k % inputs.size()];
+      points[k] /= lengths[k % lengths.size()];
     for (const double alpha : process.alpha())
       weights.push_back(signal_variance * alpha);
     if (with_deviation)
       for (const double entry : process.inverse_factor())
         B.push_back(std::sqrt(signal_variance) * entry);
+  }
+
+
+
+  void
+  ExportedNumbers::set(const PiecewisePowerRegression &formula)
+  {
+    const PiecewisePowerLaw &law = formula.law();
+    fitted                       = {std::log(law.mu_0),
+                                    std::log(law.v_0),
+                                    law.exponent,
+                                    formula.end(),
+                                    law.covariance};
+    for (double &entry : fitted->covariance)
+      entry *= formula.factor() * formula.factor();
+    coordinates[0].origin = 0.; // s is the logarithm itself
+    coordinates[0].span   = 1.;
   }
 
 

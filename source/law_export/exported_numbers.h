@@ -3,6 +3,8 @@
 
 #include <asperity/law_export/contact_point_law.h>
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,11 +13,13 @@ namespace asperity
   /**
    * The numbers that generated source code evaluates a law with:
    *   s_i = (g(x_i) - origin_i) / span_i / length_i,
+   *   mu = g^-1(offset + factor m(s)), and g by output scale.
+   * For a Gaussian process
    *   r_j^2 = sum over i of (points_ji - s_i)^2,
-   *   m = sum_of_weights + sum over j of weights_j (f(r_j) - 1),
-   *   mu = g^-1(offset + factor m), and g, f by output scale and kernel;
+   *   m = sum_of_weights + sum over j of weights_j (f(r_j) - 1), f by kernel;
    *   deviation of m: sqrt(signal_variance (1 - |B f|^2)),
-   * with B = sqrt(signal_variance) L^-1, the lower triangle row by row.
+   * with B = sqrt(signal_variance) L^-1, the lower triangle row by row; else m
+   * is a line beyond a knee, see Fitted.
    */
   struct ExportedNumbers
   {
@@ -38,24 +42,43 @@ namespace asperity
       double      value;      ///< at which it is held where it is no argument
     };
 
+    /** m = level + slope max(0, min(s, end) - knee), with the covariance of
+     *  level, knee and slope, row by row. */
+    struct Fitted
+    {
+      double                level, knee, slope, end;
+      std::array<double, 9> covariance;
+    };
+
     /** @param with_deviation whether B is wanted */
     ExportedNumbers(const ContactPointLaw &law, const bool with_deviation);
 
-    KernelKind              kernel;
     Scale                   output_scale;
     std::vector<Coordinate> coordinates;
     std::vector<Further>    further; ///< places 3, 4, ...
-    std::vector<double>     points;  ///< run by run
-    std::vector<double>     weights;
-    double                  sum_of_weights;
-    std::vector<double>     B; ///< empty if not wanted
-    double                  signal_variance, offset, factor;
+    double                  offset, factor;
     double                  largest_trusted_deviation;
     ShearLimit              shear_limit;
+    bool                    has_deviation = true;
+
+    std::optional<Fitted> fitted; ///< empty: a Gaussian process, which follows
+
+    KernelKind          kernel = KernelKind::matern_5_2;
+    std::vector<double> points; ///< run by run
+    std::vector<double> weights;
+    double              sum_of_weights = 0., signal_variance = 0.;
+    std::vector<double> B; ///< empty if not wanted
 
     /** 1: RBF, 3: Matern 3/2, 5: Matern 5/2, as templates call them. */
     unsigned int
     kernel_number() const;
+
+  private:
+    void
+    set(const GaussianProcess &process, const bool with_deviation);
+
+    void
+    set(const PiecewisePowerRegression &formula);
   };
 
   /** The shortest text that reads back as the same double, with a point or an

@@ -110,10 +110,21 @@ namespace asperity
     {
       return statement("OFFSET=" + fortran_number(numbers.offset)) +
              statement("FACTOR=" + fortran_number(numbers.factor)) +
-             statement("SIGNAL=" + fortran_number(numbers.signal_variance)) +
              statement("LIMIT=" +
-                       fortran_number(numbers.largest_trusted_deviation)) +
-             statement("TOTAL=" + fortran_number(numbers.sum_of_weights));
+                       fortran_number(numbers.largest_trusted_deviation));
+    }
+
+    std::string
+    constants_of(const ExportedNumbers::Fitted &fitted)
+    {
+      std::string text = statement("LEVEL=" + fortran_number(fitted.level)) +
+                         statement("KNEE=" + fortran_number(fitted.knee)) +
+                         statement("SLOPE=" + fortran_number(fitted.slope)) +
+                         statement("XEND=" + fortran_number(fitted.end));
+      for (std::size_t i = 0; i < fitted.covariance.size(); ++i)
+        text += statement("C(" + std::to_string(i + 1) +
+                          ")=" + fortran_number(fitted.covariance[i]));
+      return text;
     }
 
     std::string
@@ -145,6 +156,11 @@ namespace asperity
         return stated(numbers);
       if (block == "CONSTANTS")
         return constants(numbers);
+      if (block == "PROCESS")
+        return statement("SIGNAL=" + fortran_number(numbers.signal_variance)) +
+               statement("TOTAL=" + fortran_number(numbers.sum_of_weights));
+      if (block == "FITTED")
+        return constants_of(*numbers.fitted);
       if (block == "SCALES")
         return scales(numbers);
       if (block == "RUNS")
@@ -156,7 +172,8 @@ namespace asperity
     std::vector<std::string>
     title(const ExportedNumbers &numbers)
     {
-      const std::string        n     = std::to_string(numbers.weights.size());
+      const std::string n =
+        std::to_string(std::max<std::size_t>(1, numbers.weights.size()));
       std::vector<std::string> lines = {
         "Friction coefficient by pressure P [Pa], sliding velocity V [m/s]",
         "and temperature T [K]. Fortran 77; everything DOUBLE PRECISION.",
@@ -173,7 +190,7 @@ namespace asperity
         "  SI and in the order of TRIBST, where the values are that TRIBMU",
         "  and TRIBSD hold them at; DMU has an entry for each of Q, too"};
       for (const std::string &line :
-           numbers.B.empty() ?
+           !numbers.has_deviation ?
              std::vector<std::string>{
                "  Written without the deviation: SIGMA is -1, and ITRUST is 1",
                "  in the box."} :
@@ -186,7 +203,7 @@ namespace asperity
             "DOUBLE PRECISION FUNCTION TRIBTA(P,V,T): min(mu p, k) [Pa]",
             "",
             "Outside of the box the law is still answered, with finite",
-            "numbers: far away it falls back to the mean of its data. A",
+            "numbers: far away it tends to a constant. A",
             "pressure, velocity or temperature that is not positive is",
             "replaced by the lower end of its range if the law sees its",
             "logarithm (see the ranges below); the derivative by it is 0",
@@ -208,7 +225,7 @@ namespace asperity
       {"KERNEL", numbers.kernel_number()}};
     const std::map<std::string, bool> flags = {
       {"LOGMU", numbers.output_scale == Scale::logarithmic},
-      {"HASDEV", !numbers.B.empty()},
+      {"HASDEV", numbers.has_deviation},
       {"HASK", numbers.shear_limit.k_0 > 0.},
       {"SOFTEN", numbers.shear_limit.softens}};
     const std::vector<std::string> words = split(block, ' ');
@@ -233,10 +250,14 @@ namespace asperity
   fortran_source(const ContactPointLaw &law, const bool with_deviation)
   {
     const ExportedNumbers numbers(law, with_deviation);
+    const auto            fill = [&](const char *const text) {
+      return law_template::fill(text, [&](const std::string &block) {
+        return block_text(numbers, block);
+      });
+    };
     return comment_header(title(numbers), law, "C") +
-           law_template::fill(law_template::tribmu_f,
-                              [&](const std::string &block) {
-                                return block_text(numbers, block);
-                              });
+           fill(law_template::tribmu_f) +
+           fill(numbers.fitted ? law_template::piecewise_power_law_f :
+                                 law_template::gaussian_process_f);
   }
 } // namespace asperity

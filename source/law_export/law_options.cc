@@ -1,8 +1,7 @@
-#include "law_options.h"
-
 #include <asperity/base/errors.h>
 #include <asperity/base/quantity.h>
 #include <asperity/base/text.h>
+#include <asperity/law_export/law_options.h>
 
 #include <algorithm>
 #include <cctype>

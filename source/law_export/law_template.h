@@ -6,13 +6,17 @@
 
 namespace asperity
 {
-  /** The files of source/law_export/templates, which compile as they stand, as
-   *  they were when the program was built. */
+  /** The files of source/law_export/templates, which compile as they stand or
+   * as a part of tribmu, as they were when the program was built. */
   namespace law_template
   {
     extern const char *const tribmu_h;
     extern const char *const tribmu_c;
     extern const char *const tribmu_f;
+    extern const char *const gaussian_process_c;
+    extern const char *const gaussian_process_f;
+    extern const char *const piecewise_power_law_c;
+    extern const char *const piecewise_power_law_f;
     extern const char *const tribef_f;
     extern const char *const abaqus_fric_coef_f;
     extern const char *const abaqus_vfriction_f;

@@ -175,6 +175,17 @@ namespace asperity
 
 
 
+  void
+  FrictionLaw::set_fitted(const PiecewisePowerLaw &law)
+  {
+    regression = std::make_shared<const PiecewisePowerRegression>(
+      law, description_.inputs[0].upper, description_.calibration);
+    start  = {0.}; // z is the logarithm itself
+    extent = {1.};
+  }
+
+
+
   double
   FrictionLaw::scaled(const double x, const std::size_t input) const
   {
@@ -218,7 +229,7 @@ namespace asperity
   FrictionLaw::left_out_error() const
   {
     double       error    = 0.;
-    const auto   left_out = process_->leave_one_out();
+    const auto   left_out = process().leave_one_out();
     const double n        = static_cast<double>(data_.y.size());
     for (std::size_t j = 0; j < data_.y.size(); ++j)
       error += std::abs(unscaled(left_out[j].mean) - data_.y[j]) /
@@ -249,10 +260,10 @@ namespace asperity
     result.gradient.resize(d);
     double       variance;
     const double value =
-      process_->evaluate(z.data(), &variance, result.gradient.data());
+      regression->evaluate(z.data(), &variance, result.gradient.data());
     const bool is_logarithmic = description_.output_scale == Scale::logarithmic;
     const double of_function  = factor_ * std::sqrt(variance);
-    const double noise        = process_->hyperparameters().noise_variance;
+    const double noise        = regression->noise_variance();
     result.mean               = unscaled(value);
     result.deviation = is_logarithmic ? result.mean * of_function : of_function;
 
@@ -306,7 +317,7 @@ namespace asperity
     for (std::size_t j = 0; j < n; ++j)
       for (std::size_t i = 0; i < d; ++i)
         z[j * d + i] = scaled(x[j * d + i], i);
-    process_->means(n, z.data(), result);
+    regression->means(n, z.data(), result);
     for (std::size_t j = 0; j < n; ++j)
       result[j] = unscaled(result[j]);
   }
@@ -348,7 +359,20 @@ namespace asperity
   const GaussianProcess &
   FrictionLaw::process() const
   {
-    return *process_;
+    const auto *const process =
+      dynamic_cast<const GaussianProcess *>(regression.get());
+    if (process == nullptr)
+      throw InputError("The friction law was fitted to measurements; one that "
+                       "was trained on runs is expected.");
+    return *process;
+  }
+
+
+
+  const PiecewisePowerRegression *
+  FrictionLaw::fitted() const
+  {
+    return dynamic_cast<const PiecewisePowerRegression *>(regression.get());
   }
 
 

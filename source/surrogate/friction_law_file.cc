@@ -16,10 +16,14 @@ namespace asperity
     using Json = nlohmann::ordered_json;
 
     const char *const format_name    = "asperity friction law";
-    constexpr int     format_version = 4;
+    constexpr int     format_version = 5;
 
-    /** Without checksum, mechanisms, references of inputs and `softens`. */
+    /** Without checksum, mechanisms, references of inputs and `softens`;
+     *  version 4 has no `model`, since all are Gaussian processes. */
     constexpr int oldest_version = 3;
+
+    const char *const of_process = "Gaussian process";
+    const char *const of_formula = "piecewise power law";
 
     Scale
     read_scale(const LawNode &node)
@@ -76,7 +80,9 @@ namespace asperity
     }
 
     FrictionLawDescription
-    read_description(const LawNode &law, const int version)
+    read_description(const LawNode &law,
+                     const int      version,
+                     const bool     is_formula)
     {
       FrictionLawDescription result;
       for (const LawNode &node : law.child("inputs").children())
@@ -84,8 +90,9 @@ namespace asperity
       const LawNode output = law.child("output");
       result.output        = output.child("name").name();
       result.output_scale  = read_scale(output.child("scale"));
-      result.kernel        = law.child("kernel").choice<KernelKind>(
-        {KernelKind::rbf, KernelKind::matern_3_2, KernelKind::matern_5_2});
+      if (!is_formula)
+        result.kernel = law.child("kernel").choice<KernelKind>(
+          {KernelKind::rbf, KernelKind::matern_3_2, KernelKind::matern_5_2});
       result.largest_trusted_deviation =
         law.child("largest_trusted_deviation").number_above(0., true);
       const LawNode topography = law.child("topography");
@@ -141,6 +148,67 @@ namespace asperity
       return result;
     }
 
+    std::shared_ptr<const GaussianProcess>
+    make_process(const KernelKind       kernel,
+                 const Hyperparameters &hyperparameters,
+                 const TrainingData    &data,
+                 const std::string     &origin)
+    {
+      try
+        {
+          return std::make_shared<const GaussianProcess>(kernel,
+                                                         hyperparameters,
+                                                         data);
+        }
+      catch (const std::runtime_error &error)
+        {
+          throw InputError(origin + ": " + error.what());
+        }
+    }
+
+    PiecewisePowerLaw
+    read_constants(const LawNode &node)
+    {
+      PiecewisePowerLaw law;
+      law.mu_0              = node.child("mu_0").number_above(0., false);
+      law.v_0               = node.child("v_0").number_above(0., false);
+      law.exponent          = node.child("exponent").number();
+      law.has_constant_part = node.child("has_constant_part").flag();
+      law.scatter           = node.child("scatter").number_above(0., true);
+      const std::vector<double> covariance = node.child("covariance").numbers();
+      if (covariance.size() != law.covariance.size())
+        node.child("covariance").fail("a list of 9 numbers");
+      std::copy(covariance.begin(), covariance.end(), law.covariance.begin());
+      for (unsigned int i = 0; i < 3; ++i)
+        if (!(law.covariance[4 * i] >= 0.))
+          node.child("covariance").fail("a variance that is not negative");
+      return law;
+    }
+
+    Json
+    constants_to_json(const PiecewisePowerLaw &law)
+    {
+      return {{"mu_0", law.mu_0},
+              {"v_0", law.v_0},
+              {"exponent", law.exponent},
+              {"has_constant_part", law.has_constant_part},
+              {"covariance", law.covariance},
+              {"scatter", law.scatter}};
+    }
+
+    /** Whether the law is a formula that was fitted to measurements. */
+    bool
+    read_model(const LawNode &law, const int version)
+    {
+      if (version < 5)
+        return false;
+      const LawNode     node  = law.child("model");
+      const std::string model = node.text();
+      if (model != of_process && model != of_formula)
+        node.fail(quoted_name(of_process) + " or " + quoted_name(of_formula));
+      return model == of_formula;
+    }
+
     /** The version of a law's document. */
     int
     check_format(const LawNode &law, const std::string &origin)
@@ -156,7 +224,7 @@ namespace asperity
       for (int known = oldest_version; known <= format_version; ++known)
         if (version.content() == known)
           return known;
-      version.fail(std::to_string(oldest_version) + " or " +
+      version.fail(std::to_string(oldest_version) + " to " +
                    std::to_string(format_version) +
                    ", which this program reads,");
     }
@@ -180,6 +248,7 @@ namespace asperity
     Json law;
     law["format"]  = format_name;
     law["version"] = format_version;
+    law["model"]   = fitted() == nullptr ? of_process : of_formula;
     law["output"]  = {{"name", description_.output},
                       {"scale", to_string(description_.output_scale)},
                       {"offset", offset_},
@@ -195,11 +264,16 @@ namespace asperity
          {"scale", to_string(input.scale)},
          {"reference",
           input.reference ? Json(*input.reference) : Json(nullptr)}});
-    const Hyperparameters &found = process_->hyperparameters();
-    law["kernel"]                = to_string(process_->kernel());
-    law["hyperparameters"]       = {{"signal_variance", found.signal_variance},
-                                    {"length_scales", found.length_scales},
-                                    {"noise_variance", found.noise_variance}};
+    if (fitted() != nullptr)
+      law["constants"] = constants_to_json(fitted()->law());
+    else
+      {
+        const Hyperparameters &found = process().hyperparameters();
+        law["kernel"]                = to_string(process().kernel());
+        law["hyperparameters"] = {{"signal_variance", found.signal_variance},
+                                  {"length_scales", found.length_scales},
+                                  {"noise_variance", found.noise_variance}};
+      }
     law["largest_trusted_deviation"] = description_.largest_trusted_deviation;
     law["topography"]                = {{"profiles", description_.n_profiles},
                                         {"scatter", description_.topography_scatter},
@@ -255,28 +329,31 @@ namespace asperity
                          const std::string            &origin)
   {
     const LawNode                root(document, origin, "");
-    const int                    version     = check_format(root, origin);
-    const FrictionLawDescription description = read_description(root, version);
-    const std::size_t            d           = description.inputs.size();
+    const int                    version    = check_format(root, origin);
+    const bool                   is_formula = read_model(root, version);
+    const FrictionLawDescription description =
+      read_description(root, version, is_formula);
+    const std::size_t d = description.inputs.size();
     FrictionLaw law(description, read_data(root.child("data"), d), origin);
     law.offset_ = root.child("output").child("offset").number();
     law.factor_ = root.child("output").child("factor").number_above(0., false);
+    if (is_formula)
+      {
+        if (d != 1 || description.inputs[0].scale != Scale::logarithmic)
+          root.child("inputs").fail("one input on a logarithmic scale");
+        const PiecewisePowerLaw constants =
+          read_constants(root.child("constants"));
+        check_sum(root, origin);
+        law.set_fitted(constants);
+        return law;
+      }
     const Hyperparameters hyperparameters =
       read_hyperparameters(root.child("hyperparameters"), d);
     if (version > 3)
       check_sum(root, origin);
     const TrainingData data = law.scaled_data();
-    try
-      {
-        law.process_ =
-          std::make_shared<const GaussianProcess>(description.kernel,
-                                                  hyperparameters,
-                                                  data);
-      }
-    catch (const std::runtime_error &error)
-      {
-        throw InputError(origin + ": " + error.what());
-      }
+    law.regression =
+      make_process(description.kernel, hyperparameters, data, origin);
     if (version == 3)
       law.require_agreement(data, origin); // for want of a checksum
     return law;

@@ -88,7 +88,7 @@ namespace asperity
       calibration_factor(GaussianProcess(description.kernel, chosen, data));
     chosen.signal_variance *= factor * factor;
     chosen.noise_variance *= factor * factor;
-    law.process_ =
+    law.regression =
       std::make_shared<const GaussianProcess>(description.kernel, chosen, data);
     law.description_.calibration = factor;
     if (const double n = description.n_profiles; n > 1.)
@@ -96,12 +96,36 @@ namespace asperity
                                           description.topography_scatter /
                                           std::sqrt(n);
     law.description_.warnings = found.warnings;
-    if (law.process_->jitter() > 0.)
+    if (law.process().jitter() > 0.)
       law.description_.warnings.push_back(
         "A jitter was added to the diagonal of the covariance matrix: some "
         "training points nearly coincide.");
 
     law.description_.leave_one_out_error = law.left_out_error();
+    return law;
+  }
+
+
+
+  FrictionLaw
+  FrictionLaw::fit_to_measurements(const FrictionLawDescription &description,
+                                   const std::vector<double>    &v,
+                                   const std::vector<double>    &mu,
+                                   const std::vector<double>    &deviation,
+                                   const PiecewisePowerOptions  &options)
+  {
+    const PiecewisePowerFit fit =
+      fit_piecewise_power_law(v, mu, deviation, options);
+    FrictionLawDescription own = description;
+    LawInput              &in  = own.inputs.at(0);
+    in.lower                   = *std::min_element(v.begin(), v.end());
+    in.upper                   = *std::max_element(v.begin(), v.end());
+    in.scale                   = Scale::logarithmic;
+    own.output_scale           = Scale::logarithmic;
+    own.leave_one_out_error    = fit.leave_one_out_error;
+    own.calibration = gsl_cdf_tdist_Pinv(0.975, fit.degrees_of_freedom) / 1.96;
+    FrictionLaw law(own, {v, mu, deviation}, "Fit of the friction law");
+    law.set_fitted(fit.law);
     return law;
   }
 } // namespace asperity

@@ -230,6 +230,14 @@ namespace asperity
 
 
   double
+  GaussianProcess::noise_variance() const
+  {
+    return hyperparameters_.noise_variance;
+  }
+
+
+
+  double
   GaussianProcess::log_likelihood() const
   {
     return log_likelihood_;

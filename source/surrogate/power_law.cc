@@ -1,98 +1,28 @@
 #include <asperity/base/errors.h>
 #include <asperity/base/quantity.h>
+#include <asperity/surrogate/piecewise_power_law.h>
 #include <asperity/surrogate/power_law.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <set>
 
-#include "lapack.h"
+#include "least_squares.h"
 
 namespace asperity
 {
   namespace
   {
-    /** ln y = sum over i of c_i a_i, by the normal equations: the columns are
-     *  logarithms scaled to [0, 1], so these are well conditioned. */
-    class LeastSquares
+    /** @throws InputError if the runs do not determine the exponents */
+    LeastSquares
+    determined_fit(const std::vector<double> &a, const std::vector<double> &y)
     {
-    public:
-      /** @param a n rows of m columns */
-      LeastSquares(const std::vector<double> &a, const std::vector<double> &y)
-        : a(a)
-        , y(y)
-        , m(a.size() / y.size())
-      {
-        std::vector<double> matrix(m * m, 0.);
-        coefficients.assign(m, 0.);
-        for (std::size_t row = 0; row < y.size(); ++row)
-          for (std::size_t i = 0; i < m; ++i)
-            {
-              coefficients[i] += a[row * m + i] * y[row];
-              for (std::size_t j = 0; j < m; ++j)
-                matrix[i * m + j] += a[row * m + i] * a[row * m + j];
-            }
-        const int size = static_cast<int>(m);
-        int       info = 0;
-        dpotrf_("L", &size, matrix.data(), &size, &info);
-        bool determined = info == 0;
-        for (std::size_t i = 0; i < m && determined; ++i)
-          determined = matrix[i * m + i] > 1e-7 * matrix[0];
-        if (!determined)
-          throw InputError("The runs of the friction law do not determine the "
-                           "exponents of a power law: its inputs do not vary "
-                           "independently of each other.");
-        factor = matrix;
-        solve(coefficients);
-      }
-
-      std::vector<double> coefficients;
-
-      double
-      residual(const std::size_t row) const
-      {
-        double result = y[row];
-        for (std::size_t i = 0; i < m; ++i)
-          result -= coefficients[i] * a[row * m + i];
-        return result;
-      }
-
-      /** The residual without this row in the fit: r / (1 - h), h the diagonal
-       *  of the hat matrix A (A^T A)^-1 A^T. */
-      double
-      left_out_residual(const std::size_t row) const
-      {
-        std::vector<double> b(a.begin() + row * m, a.begin() + (row + 1) * m);
-        solve(b);
-        double h = 0.;
-        for (std::size_t i = 0; i < m; ++i)
-          h += a[row * m + i] * b[i];
-        return residual(row) / std::max(1. - h, 1e-12);
-      }
-
-      double
-      sum_of_squares() const
-      {
-        double result = 0.;
-        for (std::size_t row = 0; row < y.size(); ++row)
-          result += residual(row) * residual(row);
-        return result;
-      }
-
-    private:
-      void
-      solve(std::vector<double> &b) const
-      {
-        const int size = static_cast<int>(m), one = 1;
-        int       info = 0;
-        dpotrs_("L", &size, &one, factor.data(), &size, b.data(), &size, &info);
-      }
-
-      const std::vector<double> a, y;
-      const std::size_t         m;
-      std::vector<double>       factor;
-    };
+      const LeastSquares fit(a, y);
+      if (!fit.is_determined())
+        throw InputError("The runs of the friction law do not determine the "
+                         "exponents of a power law: its inputs do not vary "
+                         "independently of each other.");
+      return fit;
+    }
 
     /** The runs, with ln(mu). */
     struct Runs
@@ -154,11 +84,11 @@ namespace asperity
       PowerLaw result;
       result.floors = floors;
       result.exponents.assign(runs.inputs.size(), 0.);
-      double logarithm = fit.coefficients[0];
+      double logarithm = fit.coefficients()[0];
       for (std::size_t i = 0; i < active.size(); ++i)
         {
           const double exponent =
-            fit.coefficients[i + 1] / runs.scale(active[i]);
+            fit.coefficients()[i + 1] / runs.scale(active[i]);
           result.exponents[active[i]] = exponent;
           logarithm -= exponent * std::log(runs.inputs[active[i]].lower);
         }
@@ -208,7 +138,7 @@ namespace asperity
         for (const std::size_t i : active)
           a.push_back(runs.column(row, i, floors[i]));
       }
-    return make_power_law(runs, LeastSquares(a, runs.y), active, floors);
+    return make_power_law(runs, determined_fit(a, runs.y), active, floors);
   }
 
 
@@ -231,42 +161,27 @@ namespace asperity
       throw InputError("The range of the velocity starts at zero; a power law "
                        "over it needs a positive lower end.");
 
-    constexpr unsigned int n_candidates = 200;
-    double                 best = std::numeric_limits<double>::infinity();
-    PowerLaw               result;
-    for (unsigned int i = 0; i < n_candidates; ++i)
+    std::vector<double> velocities, mu;
+    for (std::size_t row = 0; row < runs.y.size(); ++row)
       {
-        const double v_0 =
-          found->lower * std::exp(runs.scale(v) * i / n_candidates);
-        std::vector<double> a;
-        std::set<double>    beyond;
-        std::size_t         n_beyond = 0;
-        for (std::size_t row = 0; row < runs.y.size(); ++row)
-          {
-            a.push_back(1.);
-            a.push_back(runs.column(row, v, v_0));
-            const double velocity = runs.x[row * inputs.size() + v];
-            if (velocity > v_0)
-              {
-                beyond.insert(velocity);
-                ++n_beyond;
-              }
-          }
-        if (beyond.size() < 2 || 4 * n_beyond < runs.y.size())
-          break;
-        const LeastSquares fit(a, runs.y);
-        if (fit.sum_of_squares() >= best)
-          continue;
-        best = fit.sum_of_squares();
-        std::vector<double> floors;
-        for (const LawInput &input : inputs)
-          floors.push_back(input.lower);
-        floors[v] = v_0;
-        result    = make_power_law(runs, fit, {v}, floors);
+        velocities.push_back(runs.x[row * inputs.size() + v]);
+        mu.push_back(std::exp(runs.y[row]));
       }
-    if (!std::isfinite(best))
-      throw InputError("The runs of the friction law have too few velocities "
-                       "for a power law over the velocity.");
+    PiecewisePowerOptions options;
+    options.least_share_beyond = 0.25;
+    const PiecewisePowerFit fit =
+      fit_piecewise_power_law(velocities, mu, {}, options);
+    PowerLaw result;
+    for (const LawInput &input : inputs)
+      result.floors.push_back(input.lower);
+    if (fit.law.has_constant_part)
+      result.floors[v] = fit.law.v_0;
+    result.exponents.assign(inputs.size(), 0.);
+    result.exponents[v] = fit.law.exponent;
+    result.coefficient =
+      fit.law.mu_0 * std::pow(fit.law.v_0, -fit.law.exponent);
+    result.mean_relative_error = fit.mean_relative_error;
+    result.leave_one_out_error = fit.leave_one_out_error;
     return result;
   }
 

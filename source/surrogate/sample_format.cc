@@ -4,6 +4,7 @@
 #include <asperity/base/errors.h>
 #include <asperity/base/quantity.h>
 #include <asperity/base/text.h>
+#include <asperity/surrogate/csv.h>
 
 #include <algorithm>
 #include <fstream>
@@ -136,26 +137,6 @@ namespace asperity
         return input;
       }
 
-      /** Fields of a row; those in quotes may hold commas. */
-      std::vector<std::string>
-      fields(const std::string &line) const
-      {
-        std::vector<std::string> result(1);
-        bool                     in_quotes = false;
-        for (std::size_t i = 0; i < line.size(); ++i)
-          if (line[i] == '"' && in_quotes && line[i + 1] == '"')
-            result.back() += line[i++];
-          else if (line[i] == '"')
-            in_quotes = !in_quotes;
-          else if (line[i] == ',' && !in_quotes)
-            result.emplace_back();
-          else
-            result.back() += line[i];
-        if (in_quotes)
-          fail("a quote is opened, but not closed");
-        return result;
-      }
-
       /** The outputs behind the fixed columns and those of the inputs. */
       std::vector<SampleOutput>
       outputs(const std::string &line, const std::size_t n_inputs) const
@@ -177,12 +158,30 @@ namespace asperity
         return result;
       }
 
+      /** Runs a check that does not know the file, and adds it. */
+      template <typename Call>
+      auto
+      in_context(const Call &call) const
+      {
+        try
+          {
+            return call();
+          }
+        catch (const InputError &error)
+          {
+            std::string message = error.what();
+            if (message.back() == '.')
+              message.pop_back();
+            fail(message);
+          }
+      }
+
       Sample
       sample(const std::string              &line,
              const std::vector<std::string> &headings,
              const std::size_t               n_inputs) const
       {
-        const auto        field    = fields(line);
+        const auto        field = in_context([&]() { return csv_cells(line); });
         const std::size_t n_fields = headings.size();
         if (field.size() != n_fields)
           fail(std::to_string(field.size()) + " columns were found, but " +
@@ -213,24 +212,6 @@ namespace asperity
           }
         sample.reason = field.back();
         return sample;
-      }
-
-      /** Runs a check that does not know the file, and adds it. */
-      template <typename Call>
-      auto
-      in_context(const Call &call) const
-      {
-        try
-          {
-            return call();
-          }
-        catch (const InputError &error)
-          {
-            std::string message = error.what();
-            if (message.back() == '.')
-              message.pop_back();
-            fail(message);
-          }
       }
 
     private:

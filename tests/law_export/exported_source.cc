@@ -227,6 +227,51 @@ TEST(ExportedSource, holds_the_wetting_at_the_value_given)
   EXPECT_GT(law.mean(points()[0]), 1.1 * wet.mean(points()[0]));
 }
 
+TEST(ExportedSource, agrees_with_a_law_that_was_fitted_to_measurements)
+{
+  if (!has_program("gcc") || !has_program("gfortran"))
+    GTEST_SKIP() << "gcc or gfortran was not found";
+  FrictionLawDescription description;
+  description.inputs      = {{"Load/Velocity", "v", "m/min"}};
+  description.shear_limit = {6e8, 1.3558, 293.15, 1773.15, 1., 1e4};
+  std::vector<double> v, mu;
+  for (unsigned int i = 0; i < 12; ++i)
+    {
+      v.push_back(0.08 * std::pow(3. / 0.08, i / 11.));
+      mu.push_back(0.54 * std::pow(std::max(v[i], 0.77) / 0.77, -0.35) *
+                   (1. + 0.02 * std::sin(5. * i)));
+    }
+  const ContactPointLaw law(
+    FrictionLaw::fit_to_measurements(description, v, mu, {}));
+  std::vector<ContactPoint> points;
+  for (const double velocity :
+       {-1., 0., 1e-9, 0.05, 0.08, 0.5, 0.77, 0.78, 2., 3., 50., 1e3, 1e4})
+    points.push_back({{5e8, velocity, 500.}});
+  points.push_back({{5e8, std::numeric_limits<double>::infinity(), 500.}});
+  const Folder folder;
+  for (const auto &answers : {answers_of_c(folder, law, points),
+                              answers_of_fortran(folder, law, points)})
+    {
+      ASSERT_EQ(answers.size(), points.size());
+      for (std::size_t j = 0; j < points.size(); ++j)
+        {
+          const LawPrediction at = law.predict(points[j]);
+          SCOPED_TRACE("v = " + exact(points[j][1]));
+          EXPECT_NEAR(answers[j][0], at.mean, 1e-13);
+          EXPECT_NEAR(answers[j][2], at.gradient[1], 1e-12);
+          EXPECT_EQ(answers[j][4] != 0., law.is_inside(points[j]));
+          EXPECT_NEAR(answers[j][5], at.deviation, 1e-13);
+          EXPECT_EQ(answers[j][6] != 0., at.trusted);
+          EXPECT_GT(at.mean, 0.);
+        }
+    }
+  EXPECT_GT(law.predict({{5e8, 3., 500.}}).deviation, 1e-3);
+  const ContactPoint no_number = {
+    {5e8, std::numeric_limits<double>::quiet_NaN(), 500.}};
+  EXPECT_TRUE(std::isnan(law.predict(no_number).mean));
+  EXPECT_TRUE(std::isnan(answers_of_c(folder, law, {no_number})[0][0]));
+}
+
 TEST(ExportedSource, without_the_factor_knows_the_box_only)
 {
   if (!has_program("gcc") || !has_program("gfortran"))

@@ -108,9 +108,9 @@ TEST(Templates, fortran_compiles_and_computes_as_it_stands)
   folder.write("driver.f", fortran_driver);
   folder.run("gfortran -std=legacy -ffixed-form -ffixed-line-length-72 -Wall "
              "-Wextra -Werror -O1 -c '" +
-             templates +
-             "tribmu.f' && gfortran -o driver tribmu.o driver.f && ./driver "
-             ">answers.txt");
+             templates + "tribmu.f' '" + templates +
+             "gaussian_process.f' && gfortran -o driver tribmu.o "
+             "gaussian_process.o driver.f && ./driver >answers.txt");
   expect_sample(folder.rows("answers.txt").at(0));
 }
 
@@ -121,8 +121,11 @@ TEST(Templates, user_subroutines_compile_as_they_stand)
   const Folder folder;
   folder.write("aba_param.inc", "      implicit real*8(a-h,o-z)\n");
   folder.write("vaba_param.inc", "      implicit real*8(a-h,o-z)\n");
-  for (const std::string name :
-       {"tribef", "abaqus_fric_coef", "abaqus_vfriction", "deform_usr_bcc"})
+  for (const std::string name : {"tribef",
+                                 "abaqus_fric_coef",
+                                 "abaqus_vfriction",
+                                 "deform_usr_bcc",
+                                 "piecewise_power_law"})
     {
       folder.run("gfortran -std=legacy -ffixed-form -ffixed-line-length-72 -O1 "
                  "-Wall -Wno-unused-dummy-argument -Werror -I. -c '" +

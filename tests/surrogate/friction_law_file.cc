@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "../../source/surrogate/law_checksum.h"
 #include "../files.h"
 #include "sample_data.h"
 
@@ -134,7 +135,7 @@ TEST(FrictionLawFile, every_entry_is_needed)
   std::vector<std::string> pointers;
   collect_pointers(good_document(), "", pointers);
   collect_pointers(good_document()["inputs"][1], "/inputs/1", pointers);
-  EXPECT_EQ(pointers.size(), 43u);
+  EXPECT_EQ(pointers.size(), 44u);
   for (const std::string &pointer : pointers)
     {
       Json       document = good_document();
@@ -160,7 +161,7 @@ TEST(FrictionLawFile, wrong_entries_are_named)
                     law = "' of the friction law is ";
   EXPECT_EQ(message_with("/version", 1),
             by + "'version" + law +
-              "1; 3 or 4, which this program reads, is expected.");
+              "1; 3 to 5, which this program reads, is expected.");
   EXPECT_EQ(message_with("/kernel", "cubic"),
             by + "'kernel" + law +
               "\"cubic\"; 'rbf' or 'matern_3_2' or 'matern_5_2' is expected.");
@@ -302,6 +303,7 @@ namespace
   {
     Json document       = good_document();
     document["version"] = 3;
+    document.erase("model");
     document.erase("mechanisms");
     document.erase("checksum");
     document["shear_limit"].erase("softens");
@@ -319,6 +321,19 @@ TEST(FrictionLawFile, files_without_a_checksum_are_read)
   const double      x[] = {8e8, 1.};
   EXPECT_EQ(law.mean(x), small_law().mean(x));
   EXPECT_TRUE(law.description().mechanisms.empty());
+}
+
+
+
+TEST(FrictionLawFile, files_of_processes_alone_are_read)
+{
+  Json document       = good_document();
+  document["version"] = 4;
+  document.erase("model");
+  document["checksum"]  = law_checksum(document);
+  const FrictionLaw law = FrictionLaw::from_json(document, "law.json");
+  const double      x[] = {8e8, 1.};
+  EXPECT_EQ(law.mean(x), small_law().mean(x));
 }
 
 

@@ -2,6 +2,7 @@
 #define asperity_surrogate_friction_law_h
 
 #include <asperity/surrogate/gaussian_process.h>
+#include <asperity/surrogate/piecewise_power_law.h>
 
 #include <nlohmann/json.hpp>
 
@@ -140,10 +141,11 @@ namespace asperity
 
   /**
    * mu (or another result) as a function of the scene's inputs: a Gaussian
-   * process behind the scales of inputs and output. With a logarithmic output
-   * the process is fitted to ln(mu): mean = exp(m), deviation = mean s, and the
-   * interval is exp(m -+ 1.96 sqrt(s^2 + noise variance)). The values that the
-   * process sees are centred and scaled to unit variance.
+   * process that was trained on runs, or a piecewise power law that was fitted
+   * to measurements, behind the scales of inputs and output. With a logarithmic
+   * output the process is fitted to ln(mu): mean = exp(m), deviation = mean s,
+   * and the interval is exp(m -+ 1.96 sqrt(s^2 + noise variance)). The values
+   * that the process sees are centred and scaled to unit variance.
    */
   class FrictionLaw
   {
@@ -170,6 +172,23 @@ namespace asperity
           const std::vector<double>    &y,
           const std::vector<double>    &known_deviation = {});
 
+    /**
+     * Fits the piecewise power law over the velocity, the description's only
+     * input, to measurements. The interval's deviations are enlarged by
+     * Student's quantile over 1.96, since the measurements are few.
+     * @param description its scales, kernel and range are replaced
+     * @param v velocities [m/s], @param mu values
+     * @param deviation standard deviation of each value, or empty
+     * @throws InputError as fit_piecewise_power_law(), or if there are fewer
+     *   than three measurements or one velocity only
+     */
+    static FrictionLaw
+    fit_to_measurements(const FrictionLawDescription &description,
+                        const std::vector<double>    &v,
+                        const std::vector<double>    &mu,
+                        const std::vector<double>    &deviation,
+                        const PiecewisePowerOptions  &options = {});
+
     /** Inputs outside of the box are answered, but not trusted; those for which
      *  the logarithm does not exist are clamped to the box. */
     LawPrediction
@@ -191,10 +210,15 @@ namespace asperity
     const LawData &
     data() const;
 
+    /** @throws InputError if the law was fitted to measurements */
     const GaussianProcess &
     process() const;
 
-    /** value of the process = (g(y) - offset) / factor */
+    /** The piecewise power law that was fitted to measurements, or null. */
+    const PiecewisePowerRegression *
+    fitted() const;
+
+    /** value of the process or the formula = (g(y) - offset) / factor */
     double
     offset() const;
 
@@ -223,6 +247,10 @@ namespace asperity
                 const LawData                &data,
                 const std::string            &origin);
 
+    /** The description, range and calibration included, is there already. */
+    void
+    set_fitted(const PiecewisePowerLaw &law);
+
     /** The training data as the process sees them. */
     TrainingData
     scaled_data() const;
@@ -246,11 +274,11 @@ namespace asperity
     double
     unscaled(const double value) const;
 
-    FrictionLawDescription                 description_;
-    LawData                                data_;
-    std::shared_ptr<const GaussianProcess> process_;
-    double                                 offset_ = 0., factor_ = 1.;
-    std::vector<double>                    start, extent; ///< of g(x)
+    FrictionLawDescription            description_;
+    LawData                           data_;
+    std::shared_ptr<const Regression> regression;
+    double                            offset_ = 0., factor_ = 1.;
+    std::vector<double>               start, extent; ///< of g(x)
   };
 } // namespace asperity
 

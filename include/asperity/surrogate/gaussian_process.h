@@ -1,6 +1,8 @@
 #ifndef asperity_surrogate_gaussian_process_h
 #define asperity_surrogate_gaussian_process_h
 
+#include <asperity/surrogate/regression.h>
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -45,7 +47,7 @@ namespace asperity
    * alpha = K^-1 y. Immutable, so that threads may share it. A
    * coordinate that is NaN makes the answer NaN.
    */
-  class GaussianProcess
+  class GaussianProcess : public Regression
   {
   public:
     /** @throws ComputationError if K is not positive definite even with the
@@ -61,7 +63,7 @@ namespace asperity
     /** @param x n x d inputs, one point after the other @param result n means
      */
     void
-    means(const std::size_t n, const double *x, double *result) const;
+    means(const std::size_t n, const double *x, double *result) const override;
 
     /** Variance of the latent function, without noise; not negative. */
     double
@@ -71,7 +73,13 @@ namespace asperity
      *  the price of the variance. @param gradient d numbers, or nullptr
      *  @return the mean */
     double
-    evaluate(const double *x, double *variance, double *gradient) const;
+    evaluate(const double *x,
+             double       *variance,
+             double       *gradient) const override;
+
+    /** That of the hyperparameters. */
+    double
+    noise_variance() const override;
 
     /** log p(y | X) = -y^T alpha / 2 - sum log L_ii - n/2 log(2 pi). */
     double

@@ -44,12 +44,9 @@ namespace asperity
   fit_power_law(const FrictionLaw &law);
 
   /**
-   * The law of Lee (2025), section 2.1, over the velocity alone: mu is
-   * constant up to a velocity v_0 and a power function beyond it (dry, there
-   * with v_0 = 46 m/min); without the constant part if the runs want none (its
-   * lubricated law). v_0, the floor of the velocity, is the one of 200 over the
-   * range that fits best with a quarter of the runs, and two velocities, beyond
-   * it; the left-out error is at this v_0.
+   * The law of Lee (2025), section 2.1, over the velocity alone, see
+   * PiecewisePowerLaw: with a constant part up to the floor of the velocity, or
+   * without it, as fits better; a quarter of the runs lies beyond it.
    *
    * @throws InputError as fit_power_law(), or if no input has the symbol v
    */

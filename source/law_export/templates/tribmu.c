@@ -3,23 +3,17 @@
 #include <math.h>
 #include <stddef.h>
 
-/* BEGIN kernels */
-#include "kernel_formulas.h"
-/* END kernels */
-
 /* BEGIN data */
-/* Three runs over pressure and wetting. */
+/* A law over pressure and wetting. */
 #define D 2             /* inputs of the law */
-#define N 3             /* training runs */
-#define KERNEL 3        /* 1: RBF, 3: Matern 3/2, 5: Matern 5/2 */
-#define LOGARITHMIC 1   /* whether the process is ln(mu) */
-#define HAS_DEVIATION 1 /* whether B is there */
+#define LOGARITHMIC 1   /* whether ln(mu) is fitted */
+#define HAS_DEVIATION 1 /* whether the variance of the fit is known */
 #define HAS_LIMIT 1     /* whether k is known */
 #define SOFTENS 1       /* whether k depends on T */
 
 /* which input of p, v, T and the further ones each is */
 static const int place[D] = {0, 3};
-/* how the kernel sees it: (g(x) - origin)/span/length, g = log or identity */
+/* how the fit sees it: (g(x) - origin)/span/length, g = log or identity */
 static const int    sees_logarithm[D] = {0, 0};
 static const double origin[D]         = {3e8, 0.};
 static const double span[D]           = {1e9, 1.};
@@ -31,13 +25,6 @@ static const double high_edge[D]  = {1.3e9, 1.};
 /* values at which tribmu() holds the further inputs, and a zero behind them */
 static const double stated[TRIBMU_FURTHER + 1] = {0.5, 0.};
 
-static const double points[N * D] = {0., 0., 1., 0.25, 2., 0.5};
-static const double weights[N]   = {0.5, -0.25, 0.125};
-/* inverse triangular factor of the covariance, row by row */
-static const double B[N * (N + 1) / 2] = {1., -0.5, 1.25, 0.25, -0.5, 1.5};
-
-static const double sum_of_weights            = 0.375;
-static const double signal_variance           = 1.;
 static const double offset                    = -2.;
 static const double factor                    = 0.25;
 static const double largest_trusted_deviation = 0.05;
@@ -48,41 +35,9 @@ static const double k_transition = 293.15;
 static const double k_range      = 1480.; /* to the melting temperature */
 /* END data */
 
-/* correlation with run j minus 1, which is accurate also for small distances,
- * and -2 times its derivative by r^2 */
-static double
-deficit(const double s[D], int j, double *slope)
-{
-  double r2 = 0., a, e;
-  int    i, is_small;
-
-  for (i = 0; i < D; ++i)
-    r2 += (points[j * D + i] - s[i]) * (points[j * D + i] - s[i]);
-  a = KERNEL == 1 ? RBF_ARGUMENT(r2) :
-      KERNEL == 3 ? MATERN_3_2_ARGUMENT(r2) :
-                    MATERN_5_2_ARGUMENT(r2);
-  if (a >= KERNEL_LARGEST_ARGUMENT) /* too far away to matter */
-    {
-      *slope = 0.;
-      return -1.;
-    }
-  e        = exp(-a);
-  is_small = a < KERNEL_LARGE_ARGUMENT;
-  if (KERNEL == 1)
-    {
-      *slope = RBF_SLOPE(a, e);
-      return is_small ? RBF_DEFICIT(a, kernel_rest(a)) : RBF_VALUE(a, e) - 1.;
-    }
-  if (KERNEL == 3)
-    {
-      *slope = MATERN_3_2_SLOPE(a, e);
-      return is_small ? MATERN_3_2_DEFICIT(a, kernel_rest(a)) :
-                        MATERN_3_2_VALUE(a, e) - 1.;
-    }
-  *slope = MATERN_5_2_SLOPE(a, e);
-  return is_small ? MATERN_5_2_DEFICIT(a, kernel_rest(a)) :
-                    MATERN_5_2_VALUE(a, e) - 1.;
-}
+/* BEGIN model */
+#include "gaussian_process.c"
+/* END model */
 
 /* The inputs of the law among the arguments. */
 static void
@@ -97,7 +52,7 @@ gather(double p, double v, double T, const double further[], double x[D])
                            further[place[i] - 3];
 }
 
-/* What the kernel sees of the inputs, and the derivatives by them. Tiny numbers
+/* What the fit sees of the inputs, and the derivatives by them. Tiny numbers
  * have no inverse. */
 static void
 scale(const double x[D], double s[D], double ds[D])
@@ -137,21 +92,12 @@ tribmu_at(double       p,
           double       dmu[],
           int         *inside)
 {
-  double x[D], s[D], ds[D], g[D] = {0.}, mu, slope, m = sum_of_weights;
-  int    i, j;
+  double x[D], s[D], ds[D], g[D] = {0.}, mu;
+  int    i;
 
   gather(p, v, T, further, x);
   scale(x, s, ds);
-  for (j = 0; j < N; ++j)
-    {
-      m += weights[j] * deficit(s, j, &slope);
-      if (slope <= 0.)
-        continue;
-      slope *= weights[j];
-      for (i = 0; i < D; ++i)
-        g[i] += slope * (points[j * D + i] - s[i]);
-    }
-  mu = offset + factor * m;
+  mu = offset + factor * fitted(s, dmu == NULL ? NULL : g);
   if (LOGARITHMIC)
     mu = exp(mu);
   if (dmu)
@@ -173,9 +119,7 @@ tribmu_sigma_at(double       p,
                 const double further[],
                 int         *trusted)
 {
-  double        x[D], s[D], ds[D], f[N], slope, norm = 0., mu, sigma;
-  const double *b = B;
-  int           i, j;
+  double x[D], s[D], ds[D], mu, sigma;
 
   gather(p, v, T, further, x);
   if (!HAS_DEVIATION)
@@ -185,17 +129,7 @@ tribmu_sigma_at(double       p,
       return -1.;
     }
   scale(x, s, ds);
-  for (j = 0; j < N; ++j)
-    f[j] = 1. + deficit(s, j, &slope);
-  for (i = 0; i < N; ++i)
-    {
-      double product = 0.;
-
-      for (j = 0; j <= i; ++j)
-        product += *b++ * f[j];
-      norm += product * product;
-    }
-  sigma = norm >= 1. ? 0. : factor * sqrt(signal_variance * (1. - norm));
+  sigma = factor * sqrt(variance_of_fitted(s));
   mu    = tribmu_at(p, v, T, further, NULL, NULL);
   if (LOGARITHMIC)
     sigma *= mu;

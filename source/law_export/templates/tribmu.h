@@ -20,7 +20,7 @@ extern "C"
    * Further inputs are held at the values that stand above.
    *
    * Outside of the box the law is still answered, with finite numbers: far away
-   * it falls back to the mean of its data. A pressure, velocity or temperature
+   * it tends to a constant. A pressure, velocity or temperature
    * that is not positive is replaced by the lower end of its range if the law
    * sees its logarithm (see the ranges above); the derivative by it is 0 then.
    */
