@@ -49,6 +49,13 @@ namespace asperity
       Range::between(0., 5273.15),
       "Temperature at which the flow stress has fallen to its "
       "floor, a thousandth of that at the transition temperature.");
+    parameters.number(
+      "Strain limit",
+      strain_limit,
+      Range::between(1e-3, 1e6),
+      "Plastic strain from which on hardening is constant, A + B eps^n with "
+      "this eps. The default is a strain that no point reaches, that is, no "
+      "limit; Lee (2025), section 2.1, has 2.");
   }
 
 
@@ -99,6 +106,9 @@ namespace asperity
     require(parameters.reference_rate > 0.,
             "reference rate must be positive",
             parameters.reference_rate);
+    require(parameters.strain_limit > 0.,
+            "strain limit must be positive",
+            parameters.strain_limit);
     require(parameters.melting_temperature > parameters.transition_temperature,
             "melting temperature must lie above the transition temperature (" +
               std::to_string(parameters.transition_temperature) + " K)",
@@ -114,6 +124,10 @@ namespace asperity
       return {parameters.A,
               parameters.B == 0. ? 0. :
                                    std::numeric_limits<double>::infinity()};
+    if (plastic_strain > parameters.strain_limit)
+      return {parameters.A +
+                parameters.B * std::pow(parameters.strain_limit, parameters.n),
+              0.};
     const double power = parameters.B * std::pow(plastic_strain, parameters.n);
     return {parameters.A + power, parameters.n * power / plastic_strain};
   }

@@ -257,3 +257,59 @@ TEST(JohnsonCook, refuses_constants_without_physical_meaning)
     },
     "yield stress"));
 }
+
+
+
+// Lee (2025), section 2.1: 1133.92 MPa from a strain of 2 on.
+TEST(JohnsonCook, hardening_ends_at_the_strain_limit)
+{
+  JohnsonCookParameters constants;
+  constants.strain_limit = 2.;
+  const JohnsonCook limited(constants), free((JohnsonCookParameters()));
+  for (const double strain : {0., 1e-3, 0.5, 1.9, 2.})
+    {
+      EXPECT_EQ(limited.hardening(strain).value, free.hardening(strain).value);
+      EXPECT_EQ(limited.hardening(strain).slope, free.hardening(strain).slope);
+    }
+  for (const double strain : {2.001, 3., 100.})
+    {
+      EXPECT_NEAR(limited.hardening(strain).value, 1133.92e6, 0.005e6);
+      EXPECT_EQ(limited.hardening(strain).slope, 0.);
+      EXPECT_GT(free.hardening(strain).value, 1133.93e6);
+    }
+  // k of the exported law is the same function
+  MaterialParameters material;
+  material.choose(constants);
+  EXPECT_NEAR(material.make_law()->shear_limit(3., 0.004, 293.15),
+              1133.92e6 / std::sqrt(3.),
+              0.005e6);
+}
+
+
+
+TEST(JohnsonCook, tangents_on_both_sides_of_the_strain_limit)
+{
+  JohnsonCookParameters constants;
+  constants.strain_limit = 2.;
+  const auto         law = constants.make_law({}, {});
+  const Tensor<2, 3> F   = plane(1.03, 0.04, -0.01, 0.98, 1.);
+  for (const double strain : {0.5, 1.5, 1.99, 2., 3.})
+    for (const double dt : {1e-7, 1.})
+      {
+        MaterialState old;
+        old.plastic_strain         = strain;
+        old.temperature            = 500.;
+        const MaterialResponse now = evaluate(*law, F, old, dt);
+        ASSERT_TRUE(now.plastic);
+        EXPECT_LT(tangent_error(*law, F, old, dt), 1e-6) << strain;
+        // the stress is the flow stress, across the limit as well
+        const double flow =
+          JohnsonCook(constants)
+            .evaluate(now.state.plastic_strain,
+                      (now.state.plastic_strain - strain) / dt,
+                      now.state.temperature)
+            .value;
+        EXPECT_NEAR(now.mises, flow, 1e-8 * flow) << strain;
+        EXPECT_EQ(now.state.plastic_strain > 2., strain >= 1.99) << strain;
+      }
+}

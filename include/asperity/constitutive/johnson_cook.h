@@ -28,6 +28,7 @@ namespace asperity
     double m                      = 1.3558;  ///< thermal exponent
     double transition_temperature = 293.15;  ///< softening starts here [K]
     double melting_temperature    = 1773.15; ///< softening ends here [K]
+    double strain_limit           = 1e6;     ///< hardening ends here
 
     /** Declares the subsection "Johnson-Cook". */
     void
@@ -50,9 +51,11 @@ namespace asperity
    *   sigma = (A + B eps^n) (1 + C ln max(1, epsdot/epsdot_0)) (1 - T*^m),
    *   T* = (T - T_transition)/(T_melt - T_transition), clamped to [0, 1].
    *
-   * Departures from theirs: below the reference rate the rate factor is 1
-   * (the logarithm would be negative and the stress at rest -infinity), and the
-   * thermal factor has the floor of Softening.
+   * Departures from theirs: eps is at most the strain limit, from which on the
+   * hardening factor is constant (Lee 2025, section 2.1, with 2); below the
+   * reference rate the rate factor is 1 (the logarithm would be negative and
+   * the stress at rest -infinity), and the thermal factor has the floor of
+   * Softening.
    */
   class JohnsonCook : public FlowStress<JohnsonCook>
   {
@@ -61,8 +64,8 @@ namespace asperity
     explicit JohnsonCook(const JohnsonCookParameters &parameters);
 
     /**
-     * A + B eps^n [Pa]. The slope is infinite at 0 if n < 1; negative strain
-     * (round-off) counts as 0.
+     * A + B eps^n [Pa]. The slope is infinite at 0 if n < 1, and 0 beyond the
+     * strain limit; negative strain (round-off) counts as 0.
      */
     ValueAndSlope
     hardening(const double plastic_strain) const;
