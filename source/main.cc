@@ -53,7 +53,7 @@ namespace
       {"new SURFACE [-p P] [-v V] [-T T] [--oil W]",
        "write a parameter file for a height map",
        nullptr},
-      {"parameters [--campaign | --fluid-structure] [--markdown]",
+      {"parameters [--campaign | --fluid-structure | --experiment] [--markdown]",
        "explain every parameter",
        nullptr},
       {"topography FILE.prm|MAP",
@@ -68,9 +68,15 @@ namespace
       {"export LAW DIRECTORY",
        "a trained law for Abaqus, DEFORM, LS-DYNA, C and Fortran",
        export_friction_law},
+      {"conditions FILE.prm",
+       "pressure, velocity and temperature of a scene from an experiment",
+       nullptr},
       {"fit MEASURED.csv LAW",
        "a power law over the velocity from measured friction",
-       fit_measured_friction}};
+       fit_measured_friction},
+      {"calibrate LAW|CAMPAIGN MEASURED.csv",
+       "shear factor of the interface from measured friction",
+       calibrate_law}};
     return table;
   }
 

@@ -9,6 +9,7 @@
 #include <asperity/base/text.h>
 #include <asperity/campaign/commands.h>
 #include <asperity/contact_zone/commands.h>
+#include <asperity/experiment/commands.h>
 #include <asperity/fluid_structure/commands.h>
 #include <asperity/topography/commands.h>
 
@@ -73,29 +74,29 @@ namespace
   int
   print_parameters(const Arguments &arguments)
   {
-    bool markdown = false, campaign = false, fluid_structure = false;
+    using Declare = void (*)(ParameterDeclarator &);
+    static const std::map<std::string, Declare> kinds = {
+      {"--campaign", declare_campaign_parameters},
+      {"--fluid-structure", declare_fluid_structure_parameters},
+      {"--experiment", declare_experiment_parameters}};
+    bool    markdown = false;
+    Declare declare  = nullptr;
     for (std::size_t i = 1; i < arguments.size(); ++i)
       if (arguments[i] == "--markdown")
         markdown = true;
-      else if (arguments[i] == "--campaign")
-        campaign = true;
-      else if (arguments[i] == "--fluid-structure")
-        fluid_structure = true;
-      else
+      else if (const auto kind = kinds.find(arguments[i]); kind == kinds.end())
         throw InputError("'asperity parameters' takes no argument but "
+                         "'--campaign', '--fluid-structure', '--experiment' "
+                         "and '--markdown'.");
+      else if (declare != nullptr)
+        throw InputError("'asperity parameters' takes only one of "
                          "'--campaign', '--fluid-structure' and "
-                         "'--markdown'.");
-    if (campaign && fluid_structure)
-      throw InputError("'asperity parameters' takes either '--campaign' or "
-                       "'--fluid-structure'.");
+                         "'--experiment'.");
+      else
+        declare = kind->second;
     dealii::ParameterHandler handler;
     ParameterDeclarator      parameters(handler);
-    if (campaign)
-      declare_campaign_parameters(parameters);
-    else if (fluid_structure)
-      declare_fluid_structure_parameters(parameters);
-    else
-      declare_all_parameters(parameters);
+    (declare == nullptr ? declare_all_parameters : declare)(parameters);
     if (!is_first_rank())
       return success;
     if (markdown)
@@ -115,7 +116,8 @@ namespace
                   {"new", new_scene},
                   {"parameters", print_parameters},
                   {"topography", report_topography},
-                  {"characterize", on_file(characterize)}};
+                  {"characterize", on_file(characterize)},
+                  {"conditions", on_file(print_conditions)}};
     if (arguments.empty())
       throw InputError("This program is a part of asperity; please call that.");
     const auto command = commands.find(arguments[0]);

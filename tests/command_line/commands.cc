@@ -12,7 +12,10 @@ TEST_F(Commands, help_lists_every_command)
                                     "asperity check FILE.prm",
                                     "asperity new SURFACE",
                                     "asperity parameters [--campaign | "
-                                    "--fluid-structure]",
+                                    "--fluid-structure | --experiment]",
+                                    "asperity conditions FILE.prm",
+                                    "asperity fit MEASURED.csv LAW",
+                                    "asperity calibrate LAW",
                                     "asperity characterize FILE.prm",
                                     "asperity predict LAW",
                                     "asperity export LAW DIRECTORY",
@@ -80,6 +83,15 @@ TEST_F(Commands, the_reference_of_problems_is_the_one_in_the_documentation)
        "doc/fluid_structure_parameters.md";
 }
 
+TEST_F(Commands, the_reference_of_experiments_is_the_one_in_the_documentation)
+{
+  std::ifstream     file(ASPERITY_SOURCE_DIR "/doc/experiment_parameters.md");
+  const std::string documented{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_EQ(run("parameters --experiment --markdown").output, documented)
+    << "renew it: build/asperity parameters --experiment --markdown > "
+       "doc/experiment_parameters.md";
+}
+
 TEST_F(Commands, an_empty_file_is_said_to_be_the_default_scene)
 {
   write("empty.prm", "# nothing\n");
@@ -138,7 +150,8 @@ TEST_F(Commands, wrong_command_lines_are_refused)
             0u);
   EXPECT_EQ(errors("parameters --html"),
             "Error: 'asperity parameters' takes no argument but "
-            "'--campaign', '--fluid-structure' and '--markdown'.\n");
+            "'--campaign', '--fluid-structure', '--experiment' and "
+            "'--markdown'.\n");
   for (const std::string command : {"", "run ", "check ", "topography "})
     EXPECT_EQ(errors(command + "none.prm"),
               "Error: The parameter file 'none.prm' does not exist or cannot "
