@@ -98,7 +98,7 @@ class Runs:
 class Law:
     """The friction law as a function of arrays of its inputs."""
 
-    def __init__(self, path, inputs):
+    def __init__(self, path):
         try:
             with open(path, encoding="utf-8") as file:
                 document = json.load(file)
@@ -108,9 +108,15 @@ class Law:
         output = document["output"]
         self.output = output["name"]
         self.is_logarithmic = output["scale"] == "logarithmic"
-        self.noise = output["factor"] * np.sqrt(
-            document["hyperparameters"]["noise_variance"])
-        self.inputs = inputs
+        if document.get("model") == "piecewise power law":
+            self.noise = (document["calibration"]
+                          * document["constants"]["scatter"])
+        else:
+            self.noise = output["factor"] * np.sqrt(
+                document["hyperparameters"]["noise_variance"])
+        self.inputs = [Input(*[entry[key] for key in
+                               ("symbol", "name", "unit", "lower", "upper",
+                                "scale")]) for entry in document["inputs"]]
 
     def predict(self, values, of_surface=False):
         """mu, ends of the 95 % interval of another run on these profiles or of

@@ -3,6 +3,8 @@
 
 Usage: tools/plot_law.py DIRECTORY [DIRECTORY ...] [--to FOLDER]
            [--temperatures 25,675] [--velocity 111] [--set WETTING=0.5 ...]
+       tools/plot_law.py DIRECTORY|LAW.json --measured FILE [--over v]
+           [--set T=300 ...] [--to FOLDER]
 
 Writes into the (first) campaign's directory, or FOLDER
 
@@ -18,6 +20,10 @@ Writes into the (first) campaign's directory, or FOLDER
                        the directories, such as those of a grid, of Sobol points
                        and of active learning
   sensitivity.png      which input matters how much
+  measured.png         with --measured alone: measured friction coefficients and
+                       what the law says at the same points, over the input that
+                       spreads most or that of --over; see
+                       tools/measured_friction.py for the file
 
 Reads runs.csv, friction_law.json, history.csv and sensitivity.csv; of further
 directories history.csv alone. Numbers of the options are in the units of the
@@ -42,6 +48,7 @@ except ImportError as error:
 
 from asperity_friction import FrictionError
 from campaign_data import NAMES, Law, LawError, Runs, read_table
+from measured_friction import plot_measured
 
 USUAL_SLICES = {"T": [25., 675.], "v": [111.]}  # in degC, m/min
 
@@ -57,7 +64,7 @@ class Campaign:
         self.name = os.path.basename(os.path.abspath(directory))
         self.runs = Runs(os.path.join(directory, "runs.csv"))
         self.inputs = self.runs.inputs
-        self.law = Law(os.path.join(directory, "friction_law.json"), self.inputs)
+        self.law = Law(os.path.join(directory, "friction_law.json"))
         self.mu = self.runs.output(self.law.output)
         by_symbol = {entry.symbol: entry for entry in self.inputs}
         ordered = [by_symbol[s] for s in "pvT" if s in by_symbol]
@@ -350,6 +357,8 @@ def plot_sensitivity(directory, folder):
 
 
 def plot(arguments):
+    if arguments.measured:
+        return plot_measured(arguments, save)
     for directory in arguments.directories:
         if not os.path.isdir(directory):
             raise LawError(f"{directory} is not a directory.")
@@ -375,7 +384,10 @@ def main():
     parser.add_argument("--temperatures", help="such as 25,300,675")
     parser.add_argument("--velocity", help="of beyond_the_data.png")
     parser.add_argument("--set", action="append", metavar="NAME=VALUE",
-                        help="value of a further input of the law")
+                        help="value of an input of the law")
+    parser.add_argument("--measured", metavar="FILE",
+                        help="draw measured.png alone, beside this file")
+    parser.add_argument("--over", metavar="INPUT", help="of measured.png")
     try:
         plot(parser.parse_args())
     except (LawError, FrictionError) as error:

@@ -242,3 +242,56 @@ TEST(PlotLaw, says_what_is_missing)
   overwrite(folder + "/friction_law.json", "{}");
   EXPECT_NE(complaint(folder).find("friction_law.json"), std::string::npos);
 }
+
+
+
+// A file of measurements is read as strictly as by the program.
+TEST(PlotLaw, measurements_stand_beside_a_law)
+{
+  if (!obstacle().empty())
+    GTEST_SKIP() << obstacle();
+  const std::string folder = test_folder(), errors = folder + "/errors";
+  write_campaign(folder,
+                 three_inputs,
+                 {design_points(DesignKind::sobol, 30, example_inputs(), 0)},
+                 0);
+  const std::string measured = folder + "/measured.csv";
+  overwrite(measured,
+            "# a test\nv [m/min],p [MPa],mu,deviation of mu,series,source\n"
+            "40,500,0.1,0.01,dry,\"a, b\"\n90,500,0.11,,dry,\n"
+            "40,700,0.05,,wet,\n");
+  const std::string call = folder + " --measured " + measured;
+  ASSERT_EQ(run(command + call + " --set T=300"), 0);
+  EXPECT_GT(content(folder + "/measured.png").size(), 15000u);
+  // a law that was fitted to them, by the name of its file
+  FrictionLawDescription description;
+  description.inputs = {{"Load/Velocity", "v", "m/min"}};
+  FrictionLaw::fit_to_measurements(description,
+                                   {0.5, 1., 2., 3.},
+                                   {0.5, 0.45, 0.35, 0.3},
+                                   {})
+    .save(folder + "/fitted.json");
+  overwrite(measured, "v [m/min],mu\n40,0.4\n90,0.3\n");
+  EXPECT_EQ(run(command + folder + "/fitted.json --measured " + measured +
+                " --over v --to " + folder + "/fitted"),
+            0);
+  EXPECT_EQ(n_files(folder + "/fitted"), 1u);
+
+  const auto complaint = [&](const std::string &text) {
+    overwrite(measured, text);
+    EXPECT_EQ(run(command + call + " --set T=300", errors), 2);
+    const std::string message = content(errors);
+    EXPECT_EQ(message.find("Traceback"), std::string::npos) << message;
+    return message;
+  };
+  for (const auto &[text, sentence] :
+       {std::make_pair(
+          "speed,mu\n5,0.3\n",
+          "the heading 'speed' was found, but mu, deviation of mu"),
+        {"v [m/min],mu\n5,-0.3\n", "a positive number is expected"},
+        {"v [m/min],mu\n5,0.3\n", "give it by --set p=NUMBER"},
+        {"v [m/min],p [MPa],mu\n5,,0.3\n", "points without p"}})
+    EXPECT_NE(complaint(text).find(sentence), std::string::npos)
+      << sentence << "\n"
+      << content(errors);
+}
