@@ -27,6 +27,18 @@ namespace asperity
       return number(from_si(value, unit));
     }
 
+    /** Where the heat of friction goes. */
+    void
+    print_heat(const double to_chip)
+    {
+      if (to_chip >= 0.)
+        std::cout << "Of the heat of friction the chip takes "
+                  << number(to_chip, "%") << ", the tool the rest\n";
+      else
+        std::cout << "The tool takes the heat of friction, and "
+                  << number(-to_chip, "%") << " of it from the hot chip\n";
+    }
+
     void
     print_contact(const CutConditions &at)
     {
@@ -54,18 +66,16 @@ namespace asperity
       print_contact(at);
       std::cout << "Shear plane: shear stress "
                 << number(at.shear_stress, "MPa") << ", the chip behind it "
-                << number(at.shear_plane_temperature, "degC")
-                << "\nOf the frictional heat the chip takes "
-                << number(at.heat_to_chip, "%") << "\n";
+                << number(at.shear_plane_temperature, "degC") << "\n";
+      print_heat(at.heat_to_chip);
     }
 
     void
     print_pin(const PinConditions &at)
     {
       std::cout << "The contact is " << (at.is_plastic ? "plastic" : "elastic")
-                << ", its radius " << number(at.radius, "um")
-                << "\nOf the frictional heat the chip takes "
-                << number(at.heat_to_chip, "%") << "\n";
+                << ", its radius " << number(at.radius, "um") << "\n";
+      print_heat(at.heat_to_chip);
     }
 
     /** Ready to be copied. @param plastic_strain 0: not said */
