@@ -116,8 +116,7 @@ def cuts(arguments, m, rows):
             continue
         for wetting in arguments.wetting:
             name = f"{state}_{tool}_m{m:.3f}_w{wetting}"
-            entries = {**interface(f"{m:.3f}"), "Lubrication/Model": "pocket",
-                       "Lubrication/Wetting": wetting}
+            entries = {**interface(f"{m:.3f}"), "Lubrication/Wetting": wetting}
             print_row(f"cut, {row['series']}, oil in {100 * wetting:.0f} % of "
                       "the void", measured,
                       run(arguments, scene, name, entries), rows)
@@ -175,7 +174,7 @@ def main():
                         default=os.path.join(ROOT, "build", "asperity"))
     parser.add_argument("--to", default=os.path.join("output", "experiments"))
     parser.add_argument("--shear-factor", type=float)
-    parser.add_argument("--wetting", type=float, nargs="+", default=[0.3, 0.9])
+    parser.add_argument("--wetting", type=float, nargs="+", default=[0.3, 0.6])
     arguments = parser.parse_args()
     arguments.to = os.path.abspath(arguments.to)
     dry = next(float(row["mu"]) for row in rows_of("cutting_test.csv")
