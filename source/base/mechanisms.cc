@@ -1,6 +1,8 @@
 #include <asperity/base/mechanisms.h>
 #include <asperity/base/text.h>
 
+#include <algorithm>
+
 namespace asperity
 {
   std::string
@@ -12,8 +14,15 @@ namespace asperity
     if (mechanisms == std::vector<std::string>{measured_mechanisms})
       return "This mu was fitted to measurements: whatever acted in their "
              "contact is in it.";
-    return "This mu comes from " + join(mechanisms, " and ") +
-           (mechanisms.size() == 1 ? " alone" : "") +
-           "; adhesion, the shear of the dry interface, is not in it.";
+    const std::string sentence = "This mu comes from " +
+                                 join(mechanisms, " and ") +
+                                 (mechanisms.size() == 1 ? " alone" : "");
+    const bool has_shear =
+      std::find(mechanisms.begin(), mechanisms.end(), "interface shear") !=
+      mechanisms.end();
+    return sentence + (has_shear ?
+                         "." :
+                         "; adhesion, the shear of the dry interface, "
+                         "is not in it.");
   }
 } // namespace asperity

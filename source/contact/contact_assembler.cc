@@ -4,7 +4,6 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
-#include <set>
 
 namespace asperity
 {
@@ -28,46 +27,18 @@ namespace asperity
                            dealii::QGauss<1>(options.points_per_element > 0 ?
                                                options.points_per_element :
                                                this->space->degree() + 2)))
-    , edge_functions(this->space->edge_functions(edge))
-    , neighbours(edge_functions.size())
-    , weight(edge_functions.size(), 0.)
+    , tractions(*this->space, table_, edge, options.formulation)
+    , multiplier(tractions.size(), 0.)
     , hint(table_.JxW.size(), 0.)
     , position(table_.JxW.size())
     , gap(table_.JxW.size())
-    , function_pressure(edge_functions.size(), 0.)
+    , traction_pressure(tractions.size())
     , point_pressure(table_.JxW.size(), 0.)
   {
     for (unsigned int q = 0; q < hint.size(); ++q)
       hint[q] = table_.position[q][0];
-    multiplier.assign(options.formulation == ContactFormulation::mortar ?
-                        edge_functions.size() :
-                        table_.JxW.size(),
-                      0.);
-    slope.assign(multiplier.size(), 0.);
-    std::vector<std::set<unsigned int>> overlap(edge_functions.size());
-    for (const auto &entry : table_.elements)
-      {
-        const ElementView         element(table_, entry);
-        std::vector<unsigned int> functions, columns;
-        for (unsigned int a = 0; a < element.n_functions(); ++a)
-          {
-            const auto found = std::lower_bound(edge_functions.begin(),
-                                                edge_functions.end(),
-                                                element.function(a));
-            if (found == edge_functions.end() || *found != element.function(a))
-              continue;
-            functions.push_back(found - edge_functions.begin());
-            columns.push_back(a);
-            for (unsigned int q = 0; q < table_.points_per_element; ++q)
-              weight[functions.back()] += element.N(q, a) * element.JxW(q);
-          }
-        for (const unsigned int a : functions)
-          overlap[a].insert(functions.begin(), functions.end());
-        element_functions.push_back(functions);
-        element_columns.push_back(columns);
-      }
-    for (unsigned int a = 0; a < overlap.size(); ++a)
-      neighbours[a].assign(overlap[a].begin(), overlap[a].end());
+    if (options.interface.law != InterfaceShear::none)
+      shear_.emplace(tractions, table_, options.interface, options.penalty);
   }
 
 
@@ -75,20 +46,7 @@ namespace asperity
   void
   ContactAssembler::add_couplings(dealii::DynamicSparsityPattern &pattern) const
   {
-    const auto couple = [&](const std::vector<unsigned int> &indices) {
-      for (const unsigned int a : indices)
-        for (const unsigned int b : indices)
-          for (unsigned int i = 0; i < 2; ++i)
-            for (unsigned int j = 0; j < 2; ++j)
-              pattern.add(displacement_dof(edge_functions[a], i),
-                          displacement_dof(edge_functions[b], j));
-    };
-    if (options_.formulation == ContactFormulation::mortar)
-      for (const auto &indices : neighbours)
-        couple(indices);
-    else
-      for (const auto &indices : element_functions)
-        couple(indices);
+    tractions.add_couplings(pattern);
   }
 
 
@@ -115,42 +73,17 @@ namespace asperity
   void
   ContactAssembler::set_pressures()
   {
-    if (options_.formulation == ContactFormulation::gauss_point)
+    std::vector<double> gaps(gap.size());
+    for (unsigned int q = 0; q < gap.size(); ++q)
+      gaps[q] = gap[q].gap;
+    const std::vector<double> mean_gap = tractions.means(gaps);
+    std::vector<double>       values(mean_gap.size());
+    for (unsigned int a = 0; a < values.size(); ++a)
       {
-        for (unsigned int q = 0; q < gap.size(); ++q)
-          {
-            const ContactPressure p = law.evaluate(gap[q].gap, multiplier[q]);
-            point_pressure[q]       = p.value;
-            slope[q]                = p.slope;
-          }
-        return;
+        traction_pressure[a] = law.evaluate(mean_gap[a], multiplier[a]);
+        values[a]            = traction_pressure[a].value;
       }
-    std::vector<double> weighted_gap(edge_functions.size(), 0.);
-    const auto          for_each_value = [&](const auto &action) {
-      for (unsigned int e = 0; e < table_.elements.size(); ++e)
-        {
-          const ElementView element(table_, table_.elements[e]);
-          for (unsigned int q = 0; q < table_.points_per_element; ++q)
-            for (unsigned int i = 0; i < element_functions[e].size(); ++i)
-              action(element.point(q),
-                     element_functions[e][i],
-                     element.N(q, element_columns[e][i]));
-        }
-    };
-    for_each_value([&](const unsigned int q, const unsigned int a, double N) {
-      weighted_gap[a] += N * gap[q].gap * table_.JxW[q];
-    });
-    for (unsigned int a = 0; a < weighted_gap.size(); ++a)
-      {
-        const ContactPressure p =
-          law.evaluate(weighted_gap[a] / weight[a], multiplier[a]);
-        function_pressure[a] = p.value;
-        slope[a]             = p.slope;
-      }
-    std::fill(point_pressure.begin(), point_pressure.end(), 0.);
-    for_each_value([&](const unsigned int q, const unsigned int a, double N) {
-      point_pressure[q] += N * function_pressure[a];
-    });
+    point_pressure = tractions.at_points(values);
   }
 
 
@@ -175,6 +108,26 @@ namespace asperity
 
 
 
+  void
+  ContactAssembler::add_stiffness(Matrix &tangent) const
+  {
+    TractionSpace::Vectors n(gap.size()), t(gap.size());
+    std::vector<double>    turning(gap.size()), factors(tractions.size());
+    for (unsigned int q = 0; q < gap.size(); ++q)
+      {
+        n[q]       = gap[q].normal;
+        t[q][0]    = -n[q][1];
+        t[q][1]    = n[q][0];
+        turning[q] = -point_pressure[q] * gap[q].normal_rotation();
+      }
+    for (unsigned int a = 0; a < factors.size(); ++a)
+      factors[a] = -traction_pressure[a].slope;
+    tractions.add_pointwise(turning, t, t, tangent);
+    tractions.add_stiffness(factors, n, n, tangent);
+  }
+
+
+
   bool
   ContactAssembler::add(const Vector &u, Vector &residual, Matrix *tangent)
   {
@@ -182,14 +135,41 @@ namespace asperity
     set_pressures();
     add_residual(residual);
     if (tangent != nullptr)
-      {
-        add_curvature(*tangent);
-        if (options_.formulation == ContactFormulation::mortar)
-          add_mortar_stiffness(*tangent);
-        else
-          add_point_stiffness(*tangent);
-      }
+      add_stiffness(*tangent);
+    if (shear_)
+      add_shear(residual, tangent);
     return true;
+  }
+
+
+
+  void
+  ContactAssembler::add_shear(Vector &residual, Matrix *tangent)
+  {
+    std::vector<dealii::Point<2>> seen_from_obstacle = position;
+    for (dealii::Point<2> &x : seen_from_obstacle)
+      x -= offset;
+    shear_->evaluate(seen_from_obstacle, gap, traction_pressure);
+    shear_->add_residual(residual);
+    if (tangent == nullptr)
+      return;
+    if (shear_tangent.empty())
+      {
+        dealii::DynamicSparsityPattern pattern(residual.size());
+        add_couplings(pattern);
+        shear_couplings.copy_from(pattern);
+        shear_tangent.reinit(shear_couplings);
+      }
+    shear_tangent = 0.;
+    shear_->add_stiffness(*tangent, shear_tangent);
+  }
+
+
+
+  const Matrix *
+  ContactAssembler::unsymmetric_tangent() const
+  {
+    return shear_ ? &shear_tangent : nullptr;
   }
 
 
@@ -205,9 +185,8 @@ namespace asperity
   void
   ContactAssembler::augment()
   {
-    multiplier = (options_.formulation == ContactFormulation::mortar) ?
-                   function_pressure :
-                   point_pressure;
+    for (unsigned int a = 0; a < multiplier.size(); ++a)
+      multiplier[a] = traction_pressure[a].value;
   }
 
 
@@ -253,25 +232,15 @@ namespace asperity
     // touch where the penalty law alone would press. A hard mortar contact
     // closes gaps in the mean over a function only, and its points open and
     // close at random; but where every function presses, all of them touch.
-    const bool mortar = (options_.formulation == ContactFormulation::mortar);
-    double     length = 0.;
-    for (unsigned int e = 0; e < table_.elements.size(); ++e)
-      {
-        const auto &functions = element_functions[e];
-        const bool  inside =
-          mortar &&
-          std::all_of(functions.begin(), functions.end(), [&](const auto a) {
-            return function_pressure[a] > 0.;
-          });
-        for (unsigned int q = 0; q < table_.points_per_element; ++q)
-          {
-            const unsigned int point = table_.elements[e].first_point + q;
-            const double       p     = point_pressure[point];
-            if (inside ||
-                (p > 0. && law.evaluate(gap[point].gap, p).value > 0.))
-              length += table_.JxW[point];
-          }
-      }
+    std::vector<double> pressures(tractions.size());
+    for (unsigned int a = 0; a < pressures.size(); ++a)
+      pressures[a] = traction_pressure[a].value;
+    const std::vector<bool> inside = tractions.inside(pressures);
+    double                  length = 0.;
+    for (unsigned int q = 0; q < gap.size(); ++q)
+      if (inside[q] || (point_pressure[q] > 0. &&
+                        law.evaluate(gap[q].gap, point_pressure[q]).value > 0.))
+        length += table_.JxW[q];
     return length;
   }
 
@@ -291,13 +260,14 @@ namespace asperity
         state.mean_gap += std::max(gap[q].gap, 0.) * table_.JxW[q];
         state.max_penetration = std::max(state.max_penetration, -gap[q].gap);
       }
-    const std::vector<double> &pressures =
-      (options_.formulation == ContactFormulation::mortar) ? function_pressure :
-                                                             point_pressure;
-    for (unsigned int i = 0; i < multiplier.size(); ++i)
+    if (shear_)
+      shear_->sum_up(state.shear_force, state.sticking);
+    state.force += state.shear_force;
+    for (unsigned int a = 0; a < multiplier.size(); ++a)
       state.constraint_violation =
         std::max(state.constraint_violation,
-                 std::abs(pressures[i] - multiplier[i]) / options_.penalty);
+                 std::abs(traction_pressure[a].value - multiplier[a]) /
+                   options_.penalty);
     state.contact_fraction = touching_length() / length;
     state.mean_gap /= length;
     return state;
@@ -341,5 +311,21 @@ namespace asperity
   ContactAssembler::options() const
   {
     return options_;
+  }
+
+
+
+  ShearTraction *
+  ContactAssembler::shear()
+  {
+    return shear_ ? &*shear_ : nullptr;
+  }
+
+
+
+  const ShearTraction *
+  ContactAssembler::shear() const
+  {
+    return shear_ ? &*shear_ : nullptr;
   }
 } // namespace asperity

@@ -18,6 +18,8 @@ namespace asperity
       for (double FrictionRow::*entry : {&FrictionRow::T_x,
                                          &FrictionRow::T_y,
                                          &FrictionRow::contact_fraction,
+                                         &FrictionRow::interface_T_x,
+                                         &FrictionRow::interface_T_y,
                                          &FrictionRow::oil_pressure,
                                          &FrictionRow::oil_T_x,
                                          &FrictionRow::shear_T_x,
@@ -35,7 +37,8 @@ namespace asperity
                        const double T_y,
                        const double direction)
   {
-    return T_y != 0. ? std::copysign(1., direction) * T_x / T_y : 0.;
+    return T_x != 0. && T_y != 0. ? std::copysign(1., direction) * T_x / T_y :
+                                    0.;
   }
 
 
@@ -71,6 +74,8 @@ namespace asperity
                      mu_b   = friction_coefficient(b.T_x, b.T_y, way);
         sum.T_x += half * (a.T_x + b.T_x);
         sum.T_y += half * (a.T_y + b.T_y);
+        sum.interface_T_x += half * (a.interface_T_x + b.interface_T_x);
+        sum.interface_T_y += half * (a.interface_T_y + b.interface_T_y);
         sum.contact_fraction +=
           half * (a.contact_fraction + b.contact_fraction);
         sum.oil_pressure += half * (a.oil_pressure + b.oil_pressure);
@@ -88,7 +93,13 @@ namespace asperity
     result.oil_T_x          = sum.oil_T_x / duration;
     result.shear_T_x        = sum.shear_T_x / duration;
     result.mu               = friction_coefficient(sum.T_x, sum.T_y, way);
-    const double mean       = mu / duration;
+    result.interface_T_x    = sum.interface_T_x / duration;
+    result.interface_T_y    = sum.interface_T_y / duration;
+    result.interface_shear =
+      friction_coefficient(sum.interface_T_x, sum.T_y, way);
+    result.oil_shear  = friction_coefficient(sum.shear_T_x, sum.T_y, way);
+    result.ploughing  = result.mu - result.interface_shear - result.oil_shear;
+    const double mean = mu / duration;
     result.spread =
       std::sqrt(std::max(0., mu_squared / duration - mean * mean));
     return result;

@@ -7,6 +7,8 @@ namespace asperity
   mechanisms_of(const SceneParameters &parameters)
   {
     std::vector<std::string> mechanisms = {"ploughing"};
+    if (parameters.interface.law != InterfaceShear::none)
+      mechanisms.push_back("interface shear");
     if (parameters.lubrication.model != LubricantModel::none)
       mechanisms.push_back("oil");
     return mechanisms;

@@ -151,8 +151,11 @@ namespace asperity
     options.formulation        = parameters.contact.formulation;
     options.penalty            = penalty_;
     options.points_per_element = parameters.contact.quadrature;
+    options.interface          = parameters.interface;
     contact                    = std::make_unique<ContactAssembler>(
       space, geometry, Edge::top, tool, options);
+    surface_layer =
+      std::make_unique<SurfaceLayer>(chip->table(), contact->table(), length);
   }
 
 
@@ -274,6 +277,19 @@ namespace asperity
   Scene::contact_element_length() const
   {
     return contact_element_length_;
+  }
+
+
+
+  std::vector<double>
+  Scene::shear_strength(const double rate) const
+  {
+    std::vector<double> k;
+    for (const SurfaceLayer::Point &point :
+         surface_layer->at_edge(chip->history()))
+      k.push_back(
+        law->shear_limit(point.plastic_strain, rate, point.temperature));
+    return k;
   }
 
 

@@ -3,6 +3,7 @@
 #include <asperity/contact_zone/scene_parameters.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace asperity
 {
@@ -94,6 +95,28 @@ namespace asperity
 
 
 
+  namespace
+  {
+    /** k is a number for a chip that yields only. */
+    void
+    check_interface(const SceneParameters     &p,
+                    const ParameterDeclarator &parameters)
+    {
+      if (!p.interface.uses_shear_strength())
+        return;
+      const auto chip = p.material.make_law();
+      if (!std::isfinite(chip->shear_limit(0., 0., 0.)))
+        throw InputError(parameters.where("Interface/Shear law") +
+                         ": found a law of the chip's shear strength with the "
+                         "material law `" +
+                         chip->name() +
+                         "`, which never yields; expected none, Coulomb, or a "
+                         "law of plasticity.");
+    }
+  } // namespace
+
+
+
   void
   SceneParameters::check(const ParameterDeclarator &parameters) const
   {
@@ -108,6 +131,7 @@ namespace asperity
       lubrication.oil.check_temperature(parameters, load.temperature);
     mesh.check(parameters, geometry.height);
     material.check(parameters);
+    check_interface(*this, parameters);
     protocol.check(parameters);
     if (fills_gap(lubrication.model) &&
         protocol.inertia == Inertia::quasi_static)

@@ -42,6 +42,8 @@ namespace asperity
     return to_bytes([&](OutputArchive &archive) {
       archive << column_names() << run.state() << scene.chip->history()
               << scene.contact->multipliers() << scene.contact->hints();
+      if (const ShearTraction *shear = scene.contact->shear())
+        archive << shear->history().tractions << shear->history().positions;
       if (scene.lubricant)
         scene.lubricant->save(archive);
       if (const LubricatedStep *step = run.lubricated_step())
@@ -62,11 +64,17 @@ namespace asperity
     std::vector<MaterialState> history     = scene.chip->history();
     std::vector<double>        multipliers = scene.contact->multipliers(),
                         hints              = scene.contact->hints();
+    ShearTraction::History shear;
+    if (scene.contact->shear() != nullptr)
+      shear = scene.contact->shear()->history();
     from_bytes(bytes, "The state of the run", [&](InputArchive &archive) {
       load_state(archive, state);
       archive >> fixed_length(history, "material points") >>
         fixed_length(multipliers, "pressures of the contact") >>
         fixed_length(hints, "positions of the contact");
+      if (scene.contact->shear() != nullptr)
+        archive >> fixed_length(shear.tractions, "shear tractions") >>
+          fixed_length(shear.positions, "points of the contact");
       if (scene.lubricant)
         scene.lubricant->load(archive);
       if (LubricatedStep *step = run.lubricated_step())
@@ -81,6 +89,8 @@ namespace asperity
     scene.chip->set_history(history);
     scene.contact->set_multipliers(multipliers);
     scene.contact->set_hints(hints);
+    if (scene.contact->shear() != nullptr)
+      scene.contact->shear()->set_history(shear);
     run.set_state(state);
   }
 

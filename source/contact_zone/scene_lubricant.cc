@@ -99,17 +99,6 @@ namespace asperity
   double
   Scene::interface_temperature() const
   {
-    const BasisTable &table = chip->table();
-    double            top   = 0.;
-    for (const auto &p : table.parameter)
-      top = std::max(top, p[1]);
-    double area = 0., sum = 0.;
-    for (std::size_t q = 0; q < table.parameter.size(); ++q)
-      if (table.parameter[q][1] > top * (1. - 1e-9))
-        {
-          area += table.JxW[q];
-          sum += table.JxW[q] * chip->history()[q].temperature;
-        }
-    return sum / area;
+    return surface_layer->mean_temperature(chip->history());
   }
 } // namespace asperity

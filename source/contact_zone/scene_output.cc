@@ -136,6 +136,7 @@ namespace asperity
     const auto                       &contact = *scene.contact;
     std::vector<double>               gap, oil_pressure;
     std::vector<dealii::Tensor<1, 2>> traction;
+    const ShearTraction              *shear = contact.shear();
     for (std::size_t q = 0; q < contact.pressure().size(); ++q)
       {
         gap.push_back(contact.gaps()[q].gap);
@@ -144,12 +145,19 @@ namespace asperity
             scene.lubricant->pressure(contact.table().parameter[q][0]) :
             0.);
         traction.push_back(contact.pressure()[q] * contact.gaps()[q].normal);
+        if (shear != nullptr)
+          traction.back() -= shear->at_points()[q] * shear->slip()[q].tangent;
       }
     line.points  = contact.positions();
     line.scalars = {{"contact pressure [Pa]", contact.pressure()},
                     {"oil pressure [Pa]", oil_pressure},
                     {"gap [m]", gap}};
     line.vectors = {{"traction [Pa]", traction}};
+    if (shear != nullptr)
+      {
+        line.scalars.emplace_back("shear traction [Pa]", shear->at_points());
+        line.scalars.emplace_back("sticking [-]", shear->sticking());
+      }
     contact_line.write(step, time, [&](std::ostream &out) {
       write_polyline(out, line, time, step);
     });
@@ -183,12 +191,15 @@ namespace asperity
       const FrictionJudgement judgement = run.judgement();
       const double            v         = parameters.load.velocity;
       json                    summary;
-      summary["mu"]     = friction.mu;
-      summary["mu_end"] = friction.mu_end;
-      summary["spread"] = friction.spread;
-      summary["valid"]  = judgement.status == FrictionStatus::valid;
-      summary["status"] = name(judgement.status);
-      summary["window"] = {friction.window_begin, friction.window_end};
+      summary["mu"]              = friction.mu;
+      summary["ploughing"]       = friction.ploughing;
+      summary["interface_shear"] = friction.interface_shear;
+      summary["oil_shear"]       = friction.oil_shear;
+      summary["mu_end"]          = friction.mu_end;
+      summary["spread"]          = friction.spread;
+      summary["valid"]           = judgement.status == FrictionStatus::valid;
+      summary["status"]          = name(judgement.status);
+      summary["window"]          = {friction.window_begin, friction.window_end};
       summary["window_sliding_distance"] = {friction.window_begin * v,
                                             friction.window_end * v};
       summary["T_x"]                     = friction.T_x;

@@ -226,6 +226,7 @@ namespace asperity
     load.declare(parameters);
     protocol.declare(parameters);
     contact.declare(parameters);
+    interface.declare(parameters);
     lubrication.declare(parameters);
     solver.declare(parameters);
     output.declare(parameters);

@@ -121,6 +121,7 @@ namespace asperity
                                     dt);
     };
     warm_oil();
+    renew_interface();
     begin_lubricant();
     Vector load   = scene.bottom_load();
     step_pressure = protocol_.pressure(state_.time + dt);
@@ -143,17 +144,6 @@ namespace asperity
         begin_lubricant();
       }
     return false;
-  }
-
-
-
-  void
-  SlidingRun::warm_oil()
-  {
-    const LubricantParameters &oil = parameters.lubrication.oil;
-    if (scene.lubricant && oil.temperature.law != TemperatureLaw::none)
-      scene.lubricant->set_oil(
-        oil.at(oil_temperature(), parameters.load.temperature));
   }
 
 
@@ -295,6 +285,8 @@ namespace asperity
   SlidingRun::accept(const Vector &u, const double dt)
   {
     step.accept(u);
+    if (ShearTraction *shear = scene.contact->shear())
+      shear->accept();
     if (scene.lubricant)
       scene.lubricant->accept(u);
     state_.u_previous  = state_.u;

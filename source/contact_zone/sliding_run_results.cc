@@ -27,6 +27,7 @@ namespace asperity
     if (scene.lubricant)
       record_lubricant(row);
     row.mu = friction_coefficient(row.T_x, row.T_y, parameters.load.velocity);
+    record_interface(row);
     row.contact_fraction     = contact.contact_fraction;
     row.max_contact_pressure = contact.max_pressure;
     row.max_penetration      = std::max(0., contact.max_penetration);
@@ -48,37 +49,6 @@ namespace asperity
     recorded_factorisations = factorisations;
     row.wall_time           = seconds;
     state_.rows.push_back(row);
-  }
-
-
-
-  double
-  SlidingRun::oil_temperature() const
-  {
-    return 0.5 * (parameters.load.temperature + scene.interface_temperature());
-  }
-
-
-
-  void
-  SlidingRun::record_lubricant(FrictionRow &row) const
-  {
-    const LubricantState       oil   = scene.lubricant->state();
-    const dealii::Tensor<1, 2> force = oil.pressure_force + oil.shear_force;
-    row.T_x += force[0];
-    row.T_y += force[1];
-    row.oil_pressure         = oil.mean_pressure;
-    row.max_oil_pressure     = oil.max_pressure;
-    row.oil_T_x              = oil.pressure_force[0];
-    row.shear_T_x            = oil.shear_force[0];
-    row.shear_T_y            = oil.shear_force[1];
-    row.void_volume          = oil.void_volume;
-    row.oil_volume           = oil.oil_volume;
-    row.oil_reference_volume = oil.reference_volume;
-    row.oil_in               = oil.oil_in;
-    row.oil_out              = oil.oil_out;
-    row.pockets              = oil.n_pockets;
-    row.coupling_iterations  = oil.coupling_iterations;
   }
 
 

@@ -15,6 +15,40 @@ namespace asperity
     }
 
     EntryConditions
+    conditions_of_interface()
+    {
+      return {{{"Interface/Friction coefficient"},
+               "the Shear laws Coulomb and limited Coulomb",
+               [](const SceneParameters &p) {
+                 return p.interface.law == InterfaceShear::coulomb ||
+                        p.interface.law == InterfaceShear::limited_coulomb;
+               }},
+              {{"Interface/Shear factor",
+                "Interface/Wet shear factor",
+                "Interface/Shear layer"},
+               "a Shear law with a shear factor",
+               [](const SceneParameters &p) {
+                 return p.interface.uses_shear_strength();
+               }},
+              {{"Interface/Wet shear factor"},
+               "a lubricant",
+               [](const SceneParameters &p) {
+                 return p.lubrication.model != LubricantModel::none;
+               }},
+              {{"Interface/Stick penalty"},
+               "a Shear law",
+               [](const SceneParameters &p) {
+                 return p.interface.law != InterfaceShear::none;
+               }},
+              {{"Interface/Contact transition"},
+               "the Shear laws shear factor and limited Coulomb",
+               [](const SceneParameters &p) {
+                 return p.interface.law == InterfaceShear::shear_factor ||
+                        p.interface.law == InterfaceShear::limited_coulomb;
+               }}};
+    }
+
+    EntryConditions
     conditions_of_chip()
     {
       EntryConditions conditions = {
@@ -49,6 +83,10 @@ namespace asperity
         {{"Contact/Penetration tolerance"},
          "Augmentations",
          [](const SceneParameters &p) { return p.contact.augmentations > 0; }}};
+      const EntryConditions of_interface = conditions_of_interface();
+      conditions.insert(conditions.end(),
+                        of_interface.begin(),
+                        of_interface.end());
       for (const std::string &name : MaterialParameters::law_names())
         conditions.push_back({{"Material/" + name + "/"},
                               "the Law " + name,

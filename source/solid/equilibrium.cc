@@ -19,6 +19,7 @@ namespace asperity
     : terms(terms)
     , constraints(constraints)
     , solver(make_direct_solver(solver_kind))
+    , solver_is_symmetric(solver_kind == DirectSolverKind::cholmod)
     , support(dealii::numbers::invalid_unsigned_int)
     , load(n_dofs)
     , inertia_constant(n_dofs)
@@ -56,7 +57,7 @@ namespace asperity
       if (!term->add(u, R, with_tangent ? &matrix : nullptr))
         return false;
     if (with_tangent)
-      collect_rank_one_terms();
+      collect_parts();
     R -= load;
     if (mass != nullptr)
       {
@@ -68,6 +69,7 @@ namespace asperity
           {
             matrix *= static_weight;
             dense_part.scale(static_weight);
+            unsymmetric.scale(static_weight);
             matrix.add(mass_factor, *mass);
           }
       }
@@ -79,12 +81,21 @@ namespace asperity
 
 
   void
-  Equilibrium::collect_rank_one_terms()
+  Equilibrium::collect_parts()
   {
     dense_part.clear();
+    unsymmetric.clear();
     for (const ForceTerm *term : terms)
-      for (const RankOneTerm &dense : term->rank_one_terms())
-        dense_part.add(dense.vector, dense.factor);
+      {
+        for (const RankOneTerm &dense : term->rank_one_terms())
+          dense_part.add(dense.vector, dense.factor);
+        if (const auto *part = term->unsymmetric_tangent())
+          unsymmetric.add(*part);
+      }
+    if (solver_is_symmetric)
+      return;
+    unsymmetric.add_to(matrix, dealii::AffineConstraints<double>());
+    unsymmetric.clear();
   }
 
 
@@ -142,10 +153,52 @@ namespace asperity
     timer.restart();
     d = R;
     d *= -1.;
-    solver->solve(d);
-    dense_part.correct(d);
+    const bool solved = solve(d);
     cost_.solution += timer.wall_time();
-    return std::isfinite(d.l2_norm());
+    return solved && std::isfinite(d.l2_norm());
+  }
+
+
+
+  bool
+  Equilibrium::solve(Vector &b)
+  {
+    const auto apply_inverse = [this](Vector &x, const Vector &r) {
+      x = r;
+      solver->solve(x);
+      dense_part.correct(x);
+    };
+    if (unsymmetric.empty())
+      {
+        const Vector r = b;
+        apply_inverse(b, r);
+        return true;
+      }
+    const auto apply = [this](Vector &y, const Vector &x) {
+      matrix.vmult(y, x);
+      dense_part.vmult_add(y, x);
+    };
+    return unsymmetric.solve(apply, apply_inverse, constraints, b) ||
+           solve_with_fallback(b);
+  }
+
+
+
+  bool
+  Equilibrium::solve_with_fallback(Vector &b)
+  {
+    if (!fallback)
+      fallback = make_direct_solver(DirectSolverKind::umfpack);
+    dealii::SparseMatrix<double> sum(pattern);
+    sum.copy_from(matrix);
+    unsymmetric.add_to(sum, constraints);
+    LowRankUpdate dense = dense_part;
+    if (!fallback->factorize(sum) || !dense.factorize(*fallback))
+      return false;
+    fallback->solve(b);
+    dense.correct(b);
+    ++cost_.factorisations;
+    return true;
   }
 
 
@@ -192,6 +245,7 @@ namespace asperity
       return false;
     matrix.vmult(coupling, increment);
     dense_part.vmult_add(coupling, increment);
+    unsymmetric.vmult_add(coupling, increment);
     R += coupling;
     constraints.set_zero(R);
     Vector d(u.size());

@@ -32,6 +32,7 @@ namespace example
       ContactOptions options;
       options.formulation = discretization.formulation;
       options.penalty     = discretization.penalty_factor / element_length;
+      options.interface   = discretization.interface;
       return options;
     }
 
@@ -60,10 +61,11 @@ namespace example
               return low[0] < width && high[0] > -width && high[1] > -depth;
             });
         }
-      body.reduced_modulus = 1. / (1. - 0.3 * 0.3);
+      const double nu      = discretization.poisson_ratio;
+      body.reduced_modulus = 1. / (1. - nu * nu);
       body.problem =
         std::make_unique<ContactProblem>(space,
-                                         neo_hooke(0.3),
+                                         neo_hooke(nu),
                                          obstacle,
                                          contact_options(discretization,
                                                          body.element_length));

@@ -22,6 +22,9 @@ namespace example
     /** Hertz and punch: half-width over h; Westergaard: wavelength over h;
      *  ironing: elements on twice the thickness. */
     double resolution = 16.;
+
+    double                        poisson_ratio = 0.3; ///< Hertz and punch
+    asperity::InterfaceParameters interface;
   };
 
   /**

@@ -85,6 +85,18 @@ TEST(Restart, keeps_the_multipliers_of_augmented_contact)
   expect_identical_rest(parameters, 8);
 }
 
+TEST(Restart, keeps_the_shear_of_dry_and_wet_contact)
+{
+  SceneParameters parameters            = coarse_scene();
+  parameters.interface.law              = InterfaceShear::limited_coulomb;
+  parameters.interface.wet_shear_factor = 0.2;
+  for (const unsigned int stop : {1, 8})
+    expect_identical_rest(parameters, stop);
+  parameters.lubrication.model   = LubricantModel::pocket;
+  parameters.lubrication.wetting = 0.6;
+  expect_identical_rest(parameters, 8);
+}
+
 TEST(Restart, keeps_what_a_steady_window_has_seen)
 {
   SceneParameters parameters           = coarse_scene();

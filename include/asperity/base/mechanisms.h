@@ -13,8 +13,8 @@ namespace asperity
    * One sentence for people on what a friction coefficient holds and what it
    * does not, which travels with it into every file and every interface.
    * @param mechanisms as in `mechanisms` of summary.json and
-   *   friction_law.json: "ploughing", "oil", or measured_mechanisms
-   *   alone; empty if they are not known
+   *   friction_law.json: "ploughing", "interface shear", "oil", or
+   *   measured_mechanisms alone; empty if they are not known
    */
   std::string
   mechanisms_sentence(const std::vector<std::string> &mechanisms);

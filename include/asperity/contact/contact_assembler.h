@@ -3,20 +3,17 @@
 
 #include <asperity/contact/contact_pressure_law.h>
 #include <asperity/contact/rigid_obstacle.h>
+#include <asperity/contact/shear_traction.h>
+#include <asperity/contact/traction_space.h>
 #include <asperity/isogeometric/force_term.h>
 #include <asperity/isogeometric/spline_space.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace asperity
 {
-  enum class ContactFormulation
-  {
-    mortar,     ///< knot to surface: one pressure a control point
-    gauss_point ///< Gauss point to surface: one pressure a quadrature point
-  };
-
   struct ContactOptions
   {
     ContactFormulation formulation = ContactFormulation::mortar;
@@ -26,15 +23,19 @@ namespace asperity
 
     /** Gauss points an element of the contact edge; 0 means degree + 2. */
     unsigned int points_per_element = 0;
+
+    InterfaceParameters interface; ///< its shear
   };
 
   /** State of the interface at the last evaluated displacement. */
   struct ContactState
   {
-    dealii::Tensor<1, 2> force;   ///< on the deformable body [N/m]
+    dealii::Tensor<1, 2> force;       ///< on the deformable body [N/m]
+    dealii::Tensor<1, 2> shear_force; ///< the part of it by shear [N/m]
     double contact_fraction = 0.; ///< share of the reference length in contact
     double max_pressure     = 0.; ///< [Pa]
     double max_penetration  = 0.; ///< [m]
+    double sticking         = 0.; ///< part of the shear that sticks
 
     /** Largest penetration (or gap under a multiplier) in the sense of the
      *  discrete constraints, |p - lambda| / epsilon over functions (mortar) or
@@ -45,9 +46,10 @@ namespace asperity
   };
 
   /**
-   * Frictionless contact of an edge with a rigid obstacle, by penalty and
-   * optional multipliers. Both formulations derive from one potential over the
-   * reference edge, so forces balance and the tangent is exact:
+   * Contact of an edge with a rigid obstacle, by penalty and optional
+   * multipliers; with shear if the interface has a law of it, see
+   * ShearTraction. Both formulations of the pressure derive from one potential
+   * over the reference edge, so forces balance and the tangent is exact:
    *
    *   mortar:      sum_a W_a / (2 epsilon) <lambda_a - epsilon g_a>^2,
    *                g_a = int N_a g / W_a,  W_a = int N_a
@@ -69,6 +71,10 @@ namespace asperity
                      std::shared_ptr<const RigidObstacle> obstacle,
                      const ContactOptions                &options);
 
+    ContactAssembler(const ContactAssembler &) = delete;
+    ContactAssembler &
+    operator=(const ContactAssembler &) = delete;
+
     void
     add_couplings(dealii::DynamicSparsityPattern &pattern) const override;
 
@@ -76,6 +82,10 @@ namespace asperity
     add(const dealii::Vector<double> &u,
         dealii::Vector<double>       &residual,
         dealii::SparseMatrix<double> *tangent) override;
+
+    /** That of the shear. */
+    const dealii::SparseMatrix<double> *
+    unsymmetric_tangent() const override;
 
     /** Translation of the obstacle [m]. */
     void
@@ -121,6 +131,14 @@ namespace asperity
     const ContactOptions &
     options() const;
 
+    /** Nullptr if the interface bears no shear. */
+    ShearTraction *
+    shear();
+
+    /** See above. */
+    const ShearTraction *
+    shear() const;
+
   private:
     void
     measure(const dealii::Vector<double> &u);
@@ -136,33 +154,28 @@ namespace asperity
     add_residual(dealii::Vector<double> &residual) const;
 
     void
-    add_curvature(dealii::SparseMatrix<double> &tangent) const;
+    add_stiffness(dealii::SparseMatrix<double> &tangent) const;
 
     void
-    add_mortar_stiffness(dealii::SparseMatrix<double> &tangent) const;
-
-    void
-    add_point_stiffness(dealii::SparseMatrix<double> &tangent) const;
+    add_shear(dealii::Vector<double>       &residual,
+              dealii::SparseMatrix<double> *tangent);
 
     std::shared_ptr<const SplineSpace>   space;
     std::shared_ptr<const RigidObstacle> obstacle;
     ContactOptions                       options_;
     ContactPressureLaw                   law;
     BasisTable                           table_;
+    TractionSpace                        tractions;
+    std::optional<ShearTraction>         shear_;
+    dealii::SparsityPattern              shear_couplings;
+    dealii::SparseMatrix<double>         shear_tangent; ///< not symmetric
     dealii::Tensor<1, 2>                 offset;
 
-    std::vector<unsigned int> edge_functions; ///< edge index -> function
-    std::vector<std::vector<unsigned int>> element_functions; ///< edge indices
-    std::vector<std::vector<unsigned int>> element_columns; ///< into table rows
-    std::vector<std::vector<unsigned int>> neighbours; ///< overlapping supports
-    std::vector<double>                    weight;     ///< W_a [m]
-
     std::vector<double>           multiplier;
-    std::vector<double>           slope; ///< dp/dg for each multiplier [Pa/m]
     std::vector<double>           hint;
     std::vector<dealii::Point<2>> position;
     std::vector<GapPoint>         gap;
-    std::vector<double>           function_pressure; ///< mortar: p_a [Pa]
+    std::vector<ContactPressure>  traction_pressure; ///< one a multiplier
     std::vector<double>           point_pressure;    ///< [Pa]
   };
 } // namespace asperity

@@ -4,6 +4,8 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <algorithm>
+
 namespace asperity
 {
   /**
@@ -19,6 +21,17 @@ namespace asperity
     /** Curvature of the rigid surface at x_p [1/m], positive where it bulges
      *  towards the body (an asperity), negative in a valley. */
     double curvature = 0.;
+
+    /** How the normal turns as the point moves along the tangent t, the normal
+     *  turned by 90 degrees: n' = normal_rotation() (t . dx) t, the Hessian of
+     *  the distance [1/m]. Beyond the centre of curvature of a valley the
+     *  closest point jumps; the bound keeps the number finite there, where gaps
+     *  are large and pressures zero. */
+    double
+    normal_rotation() const
+    {
+      return curvature / std::max(0.1, 1. + curvature * gap);
+    }
   };
 
   /** A rigid surface that never moves or is moved as a whole. */

@@ -43,6 +43,13 @@ namespace asperity
     double oil_pressure = 0.;
     double oil_T_x      = 0.;
     double shear_T_x    = 0.;
+
+    double interface_T_x = 0.; ///< mean lateral force by shear of the contact
+    double interface_T_y = 0.; ///< mean vertical force by it [N/m]
+
+    /** Parts of mu: by pressures on slopes, by shear of the contact and of the
+     *  oil. */
+    double ploughing = 0., interface_shear = 0., oil_shear = 0.;
   };
 
   /** Rows must be in order of time; values at the ends of the window are

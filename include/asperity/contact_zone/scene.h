@@ -5,6 +5,7 @@
 #include <asperity/contact_zone/oil_in_gap.h>
 #include <asperity/contact_zone/scene_parameters.h>
 #include <asperity/contact_zone/surface.h>
+#include <asperity/contact_zone/surface_layer.h>
 #include <asperity/coupling/gap_flow.h>
 #include <asperity/lubricant/lubricant.h>
 #include <asperity/solid/equilibrium.h>
@@ -57,6 +58,12 @@ namespace asperity
     double
     interface_temperature() const;
 
+    /** Shear strength k of the chip at the points of the contact edge, at its
+     *  strain and temperature at the last accepted step [Pa].
+     *  @param rate of its shear [1/s] */
+    std::vector<double>
+    shear_strength(const double rate) const;
+
     /** Vertical dead load on the bottom per pressure [m]: times p it is the
      *  load vector. */
     const dealii::Vector<double> &
@@ -80,7 +87,8 @@ namespace asperity
     std::shared_ptr<RigidObstacle>     tool;
     std::unique_ptr<SolidAssembler>    chip;
     std::unique_ptr<ContactAssembler>  contact;
-    std::unique_ptr<Lubricant>         lubricant; ///< null: dry
+    std::unique_ptr<SurfaceLayer>      surface_layer; ///< of the chip
+    std::unique_ptr<Lubricant>         lubricant;     ///< null: dry
     GapFlow *gap_flow = nullptr; ///< the lubricant, if it is one
     std::unique_ptr<Equilibrium> equilibrium;
 

@@ -2,6 +2,7 @@
 #define asperity_contact_zone_scene_parameters_h
 
 #include <asperity/base/parameters.h>
+#include <asperity/constitutive/interface_law.h>
 #include <asperity/constitutive/material_parameters.h>
 #include <asperity/contact/contact_assembler.h>
 #include <asperity/contact_zone/lubrication_parameters.h>
@@ -209,6 +210,7 @@ namespace asperity
     LoadParameters        load;
     ProtocolParameters    protocol;
     ContactParameters     contact;
+    InterfaceParameters   interface;
     LubricationParameters lubrication;
     SolverParameters      solver;
     OutputParameters      output;

@@ -123,6 +123,11 @@ namespace asperity
     void
     warm_oil();
 
+    /** Gives the interface of the next step the strength of the chip and the
+     *  part that oil covers. */
+    void
+    renew_interface();
+
     /** Norm of the chip's residual at which Newton's method ends [N/m]. */
     double
     newton_tolerance() const;
@@ -152,6 +157,9 @@ namespace asperity
 
     void
     record_lubricant(FrictionRow &row) const;
+
+    void
+    record_interface(FrictionRow &row) const;
 
     const SceneParameters &parameters;
     Scene                 &scene;

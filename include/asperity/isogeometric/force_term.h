@@ -52,8 +52,17 @@ namespace asperity
         dealii::Vector<double>       &residual,
         dealii::SparseMatrix<double> *tangent) = 0;
 
-    /** What the tangent of the last add() holds beyond the sparse matrix, e.g.
-     *  the stiffness of a volume, which couples a whole edge. */
+    /** What the tangent of the last add() holds beyond the sparse matrix and is
+     *  not symmetric, so that the matrix may be; within the couplings of the
+     *  term. Nullptr: nothing. */
+    virtual const dealii::SparseMatrix<double> *
+    unsymmetric_tangent() const
+    {
+      return nullptr;
+    }
+
+    /** What the tangent of the last add() holds beyond the sparse matrices,
+     *  e.g. the stiffness of a volume, which couples a whole edge. */
     virtual std::vector<RankOneTerm>
     rank_one_terms() const
     {

@@ -17,33 +17,40 @@ namespace asperity
    */
   struct FrictionRow
   {
-    unsigned int step                 = 0;
-    double       time                 = 0.;
-    double       sliding_distance     = 0.;
-    double       T_x                  = 0.;
-    double       T_y                  = 0.;
-    double       mu                   = 0.;
-    double       contact_fraction     = 0.;
-    double       max_contact_pressure = 0.;
-    double       max_plastic_strain   = 0.;
-    double       max_temperature      = 0.;
-    double       mean_gap             = 0.;
-    double       max_penetration      = 0.;
-    double       oil_pressure         = 0.;
-    double       max_oil_pressure     = 0.;
-    double       oil_T_x              = 0.;
-    double       shear_T_x            = 0.;
-    double       shear_T_y            = 0.;
-    double       void_volume          = 0.;
-    double       oil_volume           = 0.;
-    double       oil_reference_volume = 0.;
-    double       oil_in               = 0.;
-    double       oil_out              = 0.;
-    unsigned int pockets              = 0;
-    unsigned int coupling_iterations  = 0;
-    unsigned int newton_iterations    = 0;
-    unsigned int factorisations       = 0;
-    double       wall_time            = 0.;
+    unsigned int step                  = 0;
+    double       time                  = 0.;
+    double       sliding_distance      = 0.;
+    double       T_x                   = 0.;
+    double       T_y                   = 0.;
+    double       mu                    = 0.;
+    double       ploughing             = 0.;
+    double       interface_shear       = 0.;
+    double       oil_shear             = 0.;
+    double       interface_T_x         = 0.;
+    double       interface_T_y         = 0.;
+    double       sticking              = 0.;
+    double       contact_fraction      = 0.;
+    double       max_contact_pressure  = 0.;
+    double       real_contact_pressure = 0.;
+    double       max_plastic_strain    = 0.;
+    double       max_temperature       = 0.;
+    double       mean_gap              = 0.;
+    double       max_penetration       = 0.;
+    double       oil_pressure          = 0.;
+    double       max_oil_pressure      = 0.;
+    double       oil_T_x               = 0.;
+    double       shear_T_x             = 0.;
+    double       shear_T_y             = 0.;
+    double       void_volume           = 0.;
+    double       oil_volume            = 0.;
+    double       oil_reference_volume  = 0.;
+    double       oil_in                = 0.;
+    double       oil_out               = 0.;
+    unsigned int pockets               = 0;
+    unsigned int coupling_iterations   = 0;
+    unsigned int newton_iterations     = 0;
+    unsigned int factorisations        = 0;
+    double       wall_time             = 0.;
 
     /** For archives of Boost.Serialization; all columns. */
     template <typename Archive>

@@ -5,6 +5,7 @@
 #include <asperity/solvers/direct_solver.h>
 #include <asperity/solvers/low_rank_update.h>
 #include <asperity/solvers/newton.h>
+#include <asperity/solvers/unsymmetric_part.h>
 
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/sparsity_pattern.h>
@@ -84,7 +85,8 @@ namespace asperity
     prescribe(dealii::Vector<double> &u, const dealii::Vector<double> &target);
 
     /** Replaces a force by the displacement that it causes under the tangent
-     *  that direction() has factorised last, with its inertia and weights. */
+     *  that direction() has factorised last, with its inertia and weights, but
+     *  without what is not symmetric in it. */
     void
     back_substitute(dealii::Vector<double> &force) const;
 
@@ -113,7 +115,15 @@ namespace asperity
     eliminate_prescribed();
 
     void
-    collect_rank_one_terms();
+    collect_parts();
+
+    /** Replaces b by the solution with the factorised tangent. */
+    bool
+    solve(dealii::Vector<double> &b);
+
+    /** Where GMRES fails on the unsymmetric part. */
+    bool
+    solve_with_fallback(dealii::Vector<double> &b);
 
     std::vector<ForceTerm *>          terms;
     dealii::AffineConstraints<double> constraints;
@@ -123,6 +133,9 @@ namespace asperity
      *  column has. */
     std::vector<dealii::SparseMatrix<double>::iterator> eliminated;
     std::unique_ptr<DirectSolver>                       solver;
+    std::unique_ptr<DirectSolver>                       fallback;
+    bool                                                solver_is_symmetric;
+    UnsymmetricPart                                     unsymmetric;
     LowRankUpdate                                       dense_part;
     unsigned int                                        support;
     dealii::Vector<double>                              load;

@@ -1,0 +1,249 @@
+#include <asperity/contact/traction_space.h>
+#include <asperity/isogeometric/element_view.h>
+#include <asperity/isogeometric/spline_space.h>
+
+#include <algorithm>
+#include <set>
+
+namespace asperity
+{
+  using dealii::Tensor;
+  using Matrix = dealii::SparseMatrix<double>;
+
+  TractionSpace::TractionSpace(const SplineSpace       &space,
+                               const BasisTable        &table,
+                               const Edge               edge,
+                               const ContactFormulation formulation)
+    : formulation_(formulation)
+    , table(table)
+    , edge_functions(space.edge_functions(edge))
+    , neighbours(edge_functions.size())
+  {
+    std::vector<std::set<unsigned int>> overlap(edge_functions.size());
+    for (const auto &entry : table.elements)
+      {
+        const ElementView         element(table, entry);
+        std::vector<unsigned int> functions, columns;
+        for (unsigned int a = 0; a < element.n_functions(); ++a)
+          {
+            const auto found = std::lower_bound(edge_functions.begin(),
+                                                edge_functions.end(),
+                                                element.function(a));
+            if (found == edge_functions.end() || *found != element.function(a))
+              continue;
+            functions.push_back(found - edge_functions.begin());
+            columns.push_back(a);
+          }
+        for (const unsigned int a : functions)
+          overlap[a].insert(functions.begin(), functions.end());
+        element_functions.push_back(functions);
+        element_columns.push_back(columns);
+      }
+    for (unsigned int a = 0; a < overlap.size(); ++a)
+      neighbours[a].assign(overlap[a].begin(), overlap[a].end());
+    weight.assign(size(), 0.);
+    for_each_value([&](const unsigned int q, const unsigned int a, double psi) {
+      weight[a] += psi * table.JxW[q];
+    });
+  }
+
+
+
+  unsigned int
+  TractionSpace::size() const
+  {
+    return formulation_ == ContactFormulation::mortar ? edge_functions.size() :
+                                                        table.JxW.size();
+  }
+
+
+
+  ContactFormulation
+  TractionSpace::formulation() const
+  {
+    return formulation_;
+  }
+
+
+
+  template <typename Action>
+  void
+  TractionSpace::for_each_value(const Action &action) const
+  {
+    if (formulation_ == ContactFormulation::gauss_point)
+      {
+        for (unsigned int q = 0; q < table.JxW.size(); ++q)
+          action(q, q, 1.);
+        return;
+      }
+    for (unsigned int e = 0; e < table.elements.size(); ++e)
+      {
+        const ElementView element(table, table.elements[e]);
+        for (unsigned int q = 0; q < table.points_per_element; ++q)
+          for (unsigned int i = 0; i < element_functions[e].size(); ++i)
+            action(element.point(q),
+                   element_functions[e][i],
+                   element.N(q, element_columns[e][i]));
+      }
+  }
+
+
+
+  std::vector<double>
+  TractionSpace::means(const std::vector<double> &at_points) const
+  {
+    std::vector<double> mean(size(), 0.);
+    for_each_value([&](const unsigned int q, const unsigned int a, double psi) {
+      mean[a] += psi * at_points[q] * table.JxW[q];
+    });
+    for (unsigned int a = 0; a < mean.size(); ++a)
+      mean[a] /= weight[a];
+    return mean;
+  }
+
+
+
+  std::vector<double>
+  TractionSpace::at_points(const std::vector<double> &tractions) const
+  {
+    std::vector<double> values(table.JxW.size(), 0.);
+    for_each_value([&](const unsigned int q, const unsigned int a, double psi) {
+      values[q] += psi * tractions[a];
+    });
+    return values;
+  }
+
+
+
+  std::vector<bool>
+  TractionSpace::inside(const std::vector<double> &tractions) const
+  {
+    std::vector<bool> result(table.JxW.size(), true);
+    for_each_value([&](const unsigned int q, const unsigned int a, double) {
+      if (tractions[a] <= 0.)
+        result[q] = false;
+    });
+    return result;
+  }
+
+
+
+  void
+  TractionSpace::add_couplings(dealii::DynamicSparsityPattern &pattern) const
+  {
+    const auto couple = [&](const std::vector<unsigned int> &indices) {
+      for (const unsigned int a : indices)
+        for (const unsigned int b : indices)
+          for (unsigned int i = 0; i < 2; ++i)
+            for (unsigned int j = 0; j < 2; ++j)
+              pattern.add(displacement_dof(edge_functions[a], i),
+                          displacement_dof(edge_functions[b], j));
+    };
+    for (const auto &indices : formulation_ == ContactFormulation::mortar ?
+                                 neighbours :
+                                 element_functions)
+      couple(indices);
+  }
+
+
+
+  void
+  TractionSpace::add_stiffness(const std::vector<double> &factors,
+                               const Vectors             &v,
+                               const Vectors             &w,
+                               Matrix                    &tangent) const
+  {
+    if (formulation_ == ContactFormulation::mortar)
+      add_mortar_stiffness(factors, v, w, tangent);
+    else
+      add_pointwise(factors, v, w, tangent);
+  }
+
+
+
+  std::vector<TractionSpace::Vectors>
+  TractionSpace::moments(const std::vector<double> &factors,
+                         const Vectors             &v) const
+  {
+    std::vector<Vectors> h(edge_functions.size());
+    for (unsigned int a = 0; a < h.size(); ++a)
+      if (factors[a] != 0.)
+        h[a].resize(neighbours[a].size());
+    for (unsigned int e = 0; e < table.elements.size(); ++e)
+      {
+        const ElementView element(table, table.elements[e]);
+        const auto       &functions = element_functions[e];
+        const auto       &columns   = element_columns[e];
+        for (unsigned int i = 0; i < functions.size(); ++i)
+          {
+            const unsigned int a = functions[i];
+            if (h[a].empty())
+              continue;
+            for (unsigned int j = 0; j < functions.size(); ++j)
+              {
+                const unsigned int slot =
+                  std::lower_bound(neighbours[a].begin(),
+                                   neighbours[a].end(),
+                                   functions[j]) -
+                  neighbours[a].begin();
+                for (unsigned int q = 0; q < table.points_per_element; ++q)
+                  h[a][slot] += element.N(q, columns[i]) *
+                                element.N(q, columns[j]) * element.JxW(q) *
+                                v[element.point(q)];
+              }
+          }
+      }
+    return h;
+  }
+
+
+
+  void
+  TractionSpace::add_mortar_stiffness(const std::vector<double> &factors,
+                                      const Vectors             &v,
+                                      const Vectors             &w,
+                                      Matrix                    &tangent) const
+  {
+    const std::vector<Vectors> of_v = moments(factors, v);
+    const bool                 same = (&v == &w);
+    const std::vector<Vectors> other =
+      same ? std::vector<Vectors>() : moments(factors, w);
+    const std::vector<Vectors> &of_w = same ? of_v : other;
+    for (unsigned int a = 0; a < of_v.size(); ++a)
+      for (unsigned int k = 0; k < of_v[a].size(); ++k)
+        for (unsigned int l = 0; l < of_w[a].size(); ++l)
+          for (unsigned int i = 0; i < 2; ++i)
+            for (unsigned int j = 0; j < 2; ++j)
+              tangent.add(displacement_dof(edge_functions[neighbours[a][k]], i),
+                          displacement_dof(edge_functions[neighbours[a][l]], j),
+                          factors[a] / weight[a] * of_v[a][k][i] *
+                            of_w[a][l][j]);
+  }
+
+
+
+  void
+  TractionSpace::add_pointwise(const std::vector<double> &factors,
+                               const Vectors             &v,
+                               const Vectors             &w,
+                               Matrix                    &tangent) const
+  {
+    for (unsigned int e = 0; e < table.elements.size(); ++e)
+      for (unsigned int q = 0; q < table.points_per_element; ++q)
+        {
+          const ElementView  element(table, table.elements[e]);
+          const unsigned int point  = element.point(q);
+          const double       factor = factors[point] * element.JxW(q);
+          if (factor == 0.)
+            continue;
+          for (const unsigned int a : element_columns[e])
+            for (const unsigned int b : element_columns[e])
+              for (unsigned int i = 0; i < 2; ++i)
+                for (unsigned int j = 0; j < 2; ++j)
+                  tangent.add(element.dof(a, i),
+                              element.dof(b, j),
+                              factor * element.N(q, a) * element.N(q, b) *
+                                v[point][i] * w[point][j]);
+        }
+  }
+} // namespace asperity

@@ -1,0 +1,86 @@
+#include <asperity/contact_zone/sliding_run.h>
+
+#include <algorithm>
+
+namespace asperity
+{
+  void
+  SlidingRun::warm_oil()
+  {
+    const LubricantParameters &oil = parameters.lubrication.oil;
+    if (scene.lubricant && oil.temperature.law != TemperatureLaw::none)
+      scene.lubricant->set_oil(
+        oil.at(oil_temperature(), parameters.load.temperature));
+  }
+
+
+
+  double
+  SlidingRun::oil_temperature() const
+  {
+    return 0.5 * (parameters.load.temperature + scene.interface_temperature());
+  }
+
+
+
+  void
+  SlidingRun::renew_interface()
+  {
+    ShearTraction *shear = scene.contact->shear();
+    if (shear == nullptr)
+      return;
+    const FrictionRow &last = state_.rows.back();
+    const double       wet =
+      last.void_volume > 0. ?
+              std::clamp(last.oil_volume / last.void_volume, 0., 1.) :
+              0.;
+    std::vector<double> k =
+      parameters.interface.uses_shear_strength() ?
+        scene.shear_strength(parameters.load.velocity /
+                             parameters.interface.shear_layer) :
+        std::vector<double>(scene.contact->pressure().size(), 0.);
+    shear->set_interface(k, std::vector<double>(k.size(), wet));
+  }
+
+
+
+  void
+  SlidingRun::record_interface(FrictionRow &row) const
+  {
+    const ContactState contact   = scene.contact->state();
+    const double       direction = parameters.load.velocity;
+    row.interface_T_x            = contact.shear_force[0];
+    row.interface_T_y            = contact.shear_force[1];
+    row.interface_shear =
+      friction_coefficient(row.interface_T_x, row.T_y, direction);
+    row.oil_shear = friction_coefficient(row.shear_T_x, row.T_y, direction);
+    row.ploughing = row.mu - row.interface_shear - row.oil_shear;
+    row.sticking  = contact.sticking;
+    if (contact.contact_fraction > 0.)
+      row.real_contact_pressure = (contact.shear_force[1] - contact.force[1]) /
+                                  (contact.contact_fraction * scene.length);
+  }
+
+
+
+  void
+  SlidingRun::record_lubricant(FrictionRow &row) const
+  {
+    const LubricantState       oil   = scene.lubricant->state();
+    const dealii::Tensor<1, 2> force = oil.pressure_force + oil.shear_force;
+    row.T_x += force[0];
+    row.T_y += force[1];
+    row.oil_pressure         = oil.mean_pressure;
+    row.max_oil_pressure     = oil.max_pressure;
+    row.oil_T_x              = oil.pressure_force[0];
+    row.shear_T_x            = oil.shear_force[0];
+    row.shear_T_y            = oil.shear_force[1];
+    row.void_volume          = oil.void_volume;
+    row.oil_volume           = oil.oil_volume;
+    row.oil_reference_volume = oil.reference_volume;
+    row.oil_in               = oil.oil_in;
+    row.oil_out              = oil.oil_out;
+    row.pockets              = oil.n_pockets;
+    row.coupling_iterations  = oil.coupling_iterations;
+  }
+} // namespace asperity

@@ -1,0 +1,138 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scene_examples.h"
+
+using namespace asperity;
+
+namespace
+{
+  /** Flat on flat: the chip stays elastic under 100 MPa with half of its shear
+   *  strength. */
+  SceneParameters
+  flat_scene(const InterfaceShear law)
+  {
+    SceneParameters parameters                = coarse_scene();
+    parameters.tool.kind                      = SurfaceKind::flat;
+    parameters.load.pressure                  = 100e6;
+    parameters.load.plastic_strain            = 1.;
+    parameters.interface.law                  = law;
+    parameters.interface.friction_coefficient = 0.3;
+    parameters.interface.shear_factor         = 0.1;
+    parameters.solver.tolerance               = 1e-11;
+    return parameters;
+  }
+
+  /** k of Johnson and Cook for table 1 of Lee (2025) at strain 1 and 25 degC,
+   *  at the velocity over the shear layer. */
+  double
+  shear_strength(const SceneParameters &parameters)
+  {
+    const double rate =
+      parameters.load.velocity / parameters.interface.shear_layer;
+    const double softening =
+      1. - std::pow((298.15 - 293.15) / (1773.15 - 293.15), 1.3558);
+    return (288e6 + 695e6) * (1. + 0.034 * std::log(rate / 0.004)) * softening /
+           std::sqrt(3.);
+  }
+} // namespace
+
+TEST(InterfaceOfScene, flat_on_flat_has_the_friction_coefficient_of_its_spots)
+{
+  const CompleteRun run(flat_scene(InterfaceShear::coulomb));
+  const FrictionRow last = run.rows().back();
+  EXPECT_NEAR(last.mu, 0.3, 1e-8);
+  EXPECT_NEAR(last.interface_shear, 0.3, 1e-8);
+  EXPECT_NEAR(last.ploughing, 0., 1e-8);
+  EXPECT_EQ(last.sticking, 0.);
+}
+
+TEST(InterfaceOfScene, flat_on_flat_has_m_k_over_p)
+{
+  for (const auto formulation :
+       {ContactFormulation::mortar, ContactFormulation::gauss_point})
+    {
+      SceneParameters parameters     = flat_scene(InterfaceShear::shear_factor);
+      parameters.contact.formulation = formulation;
+      const CompleteRun run(parameters);
+      EXPECT_NEAR(run.rows().back().mu,
+                  0.1 * shear_strength(parameters) / 100e6,
+                  1e-8);
+    }
+}
+
+TEST(InterfaceOfScene, the_smaller_of_both_limits_counts)
+{
+  SceneParameters parameters = flat_scene(InterfaceShear::limited_coulomb);
+  EXPECT_NEAR(CompleteRun(parameters).rows().back().mu, 0.3, 1e-8);
+  parameters.load.pressure = 400e6;
+  EXPECT_NEAR(CompleteRun(parameters).rows().back().mu,
+              0.1 * shear_strength(parameters) / 400e6,
+              1e-8);
+}
+
+TEST(InterfaceOfScene, shares_of_a_rough_contact_add_up_to_mu)
+{
+  SceneParameters parameters        = coarse_scene();
+  parameters.interface.law          = InterfaceShear::shear_factor;
+  parameters.interface.shear_factor = 0.5;
+  const CompleteRun    run(parameters);
+  const FrictionResult friction = run.run.friction();
+  EXPECT_NEAR(friction.mu,
+              friction.ploughing + friction.interface_shear +
+                friction.oil_shear,
+              1e-12);
+  EXPECT_GT(friction.interface_shear, 0.05);
+  // Ploughing is what a slope at most resists, with or without shear.
+  EXPECT_LT(friction.ploughing, run.scene.tool_surface.largest_slope());
+  for (const FrictionRow &row : run.rows())
+    EXPECT_NEAR(row.T_y,
+                -run.run.protocol().pressure(row.time) * run.scene.length,
+                1e-3 * run.load());
+}
+
+// In full contact mu p = m k, but for the slopes along which the shear acts.
+TEST(InterfaceOfScene, hot_chip_that_touches_everywhere_slides_at_m_k)
+{
+  SceneParameters parameters        = coarse_scene();
+  parameters.load.pressure          = 1300e6;
+  parameters.load.temperature       = 1473.15;
+  parameters.interface.law          = InterfaceShear::shear_factor;
+  parameters.interface.shear_factor = 0.5;
+  for (double &amplitude : parameters.tool.amplitudes)
+    amplitude *= 0.2;
+  Scene      scene(parameters);
+  SlidingRun run(parameters, scene);
+  const auto strength = [&]() {
+    return scene.shear_strength(parameters.load.velocity /
+                                parameters.interface.shear_layer);
+  };
+  std::vector<double> k = strength(), next = k;
+  run.run([&](const SlidingRun &) {
+    k    = next;
+    next = strength();
+  });
+  const FrictionRow last = run.state().rows.back();
+  ASSERT_GT(last.contact_fraction, 0.999);
+  const ContactAssembler &contact = *scene.contact;
+  double                  force   = 0.;
+  for (unsigned int q = 0; q < k.size(); ++q)
+    force += 0.5 * k[q] * contact.table().JxW[q] *
+             contact.shear()->slip()[q].tangent[0];
+  EXPECT_NEAR(last.interface_T_x, -force, 1e-3 * force);
+  EXPECT_EQ(last.sticking, 0.);
+}
+
+TEST(InterfaceOfScene, a_smaller_step_changes_little_though_k_is_of_its_start)
+{
+  SceneParameters parameters        = coarse_scene();
+  parameters.interface.law          = InterfaceShear::shear_factor;
+  parameters.interface.shear_factor = 0.8;
+  parameters.protocol.ramp_steps    = 10;
+  parameters.protocol.slide_steps   = 20;
+  const double coarse               = CompleteRun(parameters).run.friction().mu;
+  parameters.protocol.ramp_steps *= 2;
+  parameters.protocol.slide_steps *= 2;
+  EXPECT_NEAR(CompleteRun(parameters).run.friction().mu, coarse, 0.03 * coarse);
+}
