@@ -314,6 +314,20 @@ def draw_history(panels, x, window, table, mean, spread):
         panels[0].legend(loc="best", fontsize=9)
 
 
+SHARES = {"ploughing": "#6a8d73", "interface shear": "#c1553b",
+          "oil shear": "#12355b"}
+
+
+def draw_shares(axes, x, table):
+    """What mu consists of, where it is more than ploughing."""
+    shares = [name for name in SHARES if np.any(table.get(name, 0.) != 0.)]
+    if len(shares) < 2:
+        return
+    for name in shares:
+        axes.plot(x, table[name], color=SHARES[name], lw=1., label=name)
+    axes.legend(loc="best", fontsize=9)
+
+
 def limits_of_mu(table, window, mean):
     """Ends of the axis of mu, which is negative where the tool pushes the chip
     along its way: while the load is small, mu is a quotient of two small numbers
@@ -336,6 +350,7 @@ def plot_friction(directory, target):
     draw_history(panels, time,
                  np.array(window) * 1e6 if window is not None else None,
                  table, mean, spread)
+    draw_shares(panels[0], time, table)
     # The chip's bottom slides with one velocity: distance is a second scale.
     if distance[-1] > 0.:
         velocity = distance[-1] / time[-1]

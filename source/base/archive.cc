@@ -106,6 +106,9 @@ namespace asperity
     const auto refuse = [&name](const std::string &reason) {
       throw InputError(name + " is damaged: " + reason + ".");
     };
+    // Boost takes the end of a header that is cut short for a version.
+    if (bytes.size() < to_bytes([](OutputArchive &) {}).size())
+      refuse("it does not hold what is expected of it");
     std::istringstream in(bytes, std::ios::binary);
     try
       {

@@ -122,6 +122,10 @@ namespace asperity
                 << friction.spread << " (spread over time), at the end "
                 << friction.mu_end << ", contact fraction "
                 << friction.contact_fraction << "\n";
+      if (parameters.interface.law != InterfaceShear::none)
+        std::cout << "of it " << friction.ploughing << " by ploughing, "
+                  << friction.interface_shear << " by shear of the interface, "
+                  << friction.oil_shear << " by shear of the oil\n";
       if (friction.oil_pressure > 0.)
         std::cout << "oil at "
                   << format_quantity(friction.oil_pressure, "MPa", 4)

@@ -76,6 +76,25 @@ namespace asperity
 
 
   std::string
+  SlidingRun::remedy_of_coulomb() const
+  {
+    const double asked = parameters.interface.friction_coefficient *
+                         state_.rows.back().max_contact_pressure;
+    const std::vector<double> k = scene.shear_strength(
+      parameters.load.velocity / parameters.interface.shear_layer);
+    const double weakest = *std::min_element(k.begin(), k.end());
+    if (asked < weakest)
+      return "";
+    return " Coulomb's law asks for a shear stress of up to " +
+           format_quantity(asked, "MPa", 3) +
+           ", more than the chip itself bears (from " +
+           format_quantity(weakest, "MPa", 3) +
+           " on): try Interface/Shear law = limited Coulomb.";
+  }
+
+
+
+  std::string
   SlidingRun::remedies() const
   {
     std::string           sentences;
@@ -87,6 +106,8 @@ namespace asperity
       sentences +=
         " The viscosity of the oil grows with its pressure, and nothing limits "
         "its shear stress: try Lubricant/Stress limit = circular.";
+    if (parameters.interface.law == InterfaceShear::coulomb)
+      sentences += remedy_of_coulomb();
     const auto   softening = parameters.material.softening();
     const double hottest   = state_.rows.back().max_temperature;
     if (softening &&

@@ -119,6 +119,10 @@ namespace asperity
     std::string
     remedies() const;
 
+    /** One of them, for a Coulomb friction beyond the chip's strength. */
+    std::string
+    remedy_of_coulomb() const;
+
     /** Gives the oil of the next step its temperature. */
     void
     warm_oil();
