@@ -67,6 +67,19 @@ namespace asperity
 
 
   void
+  InputArchive::load(bool &value)
+  {
+    unsigned char byte = 0;
+    load_binary(&byte, 1);
+    if (byte > 1)
+      throw boost::archive::archive_exception(
+        boost::archive::archive_exception::input_stream_error);
+    value = (byte == 1);
+  }
+
+
+
+  void
   InputArchive::load_override(boost::serialization::collection_size_type &count)
   {
     Base::load_override(count);

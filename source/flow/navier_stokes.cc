@@ -1,4 +1,5 @@
 #include <asperity/flow/navier_stokes.h>
+#include <asperity/solvers/finite.h>
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/grid/grid_tools.h>
@@ -317,7 +318,7 @@ namespace asperity
   {
     assemble(u, R, nullptr);
     // Too low a pressure has no density.
-    return std::isfinite(R.l2_norm());
+    return is_finite(R);
   }
 
 
@@ -328,7 +329,7 @@ namespace asperity
     assemble(u, R, &matrix);
     fill_empty_rows();
     is_factorised = false;
-    return std::isfinite(R.l2_norm());
+    return is_finite(R);
   }
 
 
@@ -353,7 +354,7 @@ namespace asperity
     if (!report.converged)
       linear_failure = report.reason;
     constraints.distribute(d);
-    return report.converged && std::isfinite(d.l2_norm());
+    return report.converged && is_finite(d);
   }
 
 

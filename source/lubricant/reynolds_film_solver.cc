@@ -1,5 +1,6 @@
 #include <asperity/lubricant/reynolds_film.h>
 #include <asperity/solvers/direct_solver.h>
+#include <asperity/solvers/finite.h>
 #include <asperity/solvers/newton.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
@@ -62,7 +63,7 @@ namespace asperity
             R(2 * i)     = balance[i] / balance_scale;
             R(2 * i + 1) = linearization.complementarity[i].value;
           }
-        return std::isfinite(R.l2_norm());
+        return is_finite(R);
       }
 
       bool
@@ -105,7 +106,7 @@ namespace asperity
           return false;
         d.equ(-1., R);
         solver->solve(d);
-        return std::isfinite(d.l2_norm());
+        return is_finite(d);
       }
 
       Vector

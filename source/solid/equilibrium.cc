@@ -1,5 +1,6 @@
 #include <asperity/base/errors.h>
 #include <asperity/solid/equilibrium.h>
+#include <asperity/solvers/finite.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/timer.h>
@@ -155,7 +156,7 @@ namespace asperity
     d *= -1.;
     const bool solved = solve(d);
     cost_.solution += timer.wall_time();
-    return solved && std::isfinite(d.l2_norm());
+    return solved && is_finite(d);
   }
 
 

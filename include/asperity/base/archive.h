@@ -50,6 +50,10 @@ namespace asperity
     void
     load(std::size_t &count);
 
+    /** Another byte than those of false and true has the same exception. */
+    void
+    load(bool &value);
+
     /** The number of items of a container, with the same exception. */
     void
     load_override(boost::serialization::collection_size_type &count);
