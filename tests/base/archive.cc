@@ -106,6 +106,24 @@ TEST(Archive, a_count_beyond_its_end_is_damage)
 
 
 
+TEST(Archive, a_truth_value_is_zero_or_one)
+{
+  std::string bytes = to_bytes([](OutputArchive &archive) { archive << true; });
+  bool        value = false;
+  const auto  read  = [&]() {
+    from_bytes(bytes, "The file x", [&](InputArchive &archive) {
+      archive >> value;
+    });
+  };
+  read();
+  EXPECT_TRUE(value);
+  bytes.back() = '\x7f';
+  EXPECT_EQ(message_of<InputError>(read),
+            "The file x is damaged: it does not hold what is expected of it.");
+}
+
+
+
 TEST(Archive, a_vector_of_another_length_is_refused)
 {
   const std::string bytes =
