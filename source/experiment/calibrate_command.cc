@@ -81,6 +81,36 @@ namespace asperity
       return format_quantity(error * per_si, "1", 2);
     }
 
+    const LawInput *
+    input_of(const FrictionLawDescription &law, const std::string &symbol)
+    {
+      for (const LawInput &input : law.inputs)
+        if (input.symbol == symbol)
+          return &input;
+      return nullptr;
+    }
+
+    /** A law may be one of a single pressure, for example, but then it cannot
+     *  speak of measurements at several. */
+    void
+    require_constant(const FrictionLawDescription &law,
+                     const MeasuredFriction       &measured,
+                     const std::string            &symbol)
+    {
+      const std::size_t column = *measured.column(symbol);
+      for (const MeasuredPoint &point : measured.points())
+        if (point.x[column] != measured.points().front().x[column])
+          {
+            std::vector<std::string> names;
+            for (const LawInput &input : law.inputs)
+              names.push_back(input.symbol);
+            throw InputError("The measurements differ in " + symbol +
+                             ", on which the law does not depend; its inputs "
+                             "are " +
+                             join(names, ", ") + ".");
+          }
+    }
+
     /** The inputs at each measurement: from its file, else from the command's
      *  options, else the law's own references. */
     CalibrationData
@@ -90,13 +120,13 @@ namespace asperity
            const std::size_t                    calibrated)
     {
       for (const std::string &symbol : measured.inputs())
-        {
-          const LawInput &input = find_input(law, symbol);
-          if (given.count(input.name) > 0)
-            throw InputError("The input " + quoted_name(input.name) +
-                             " is a column of the measurements and an option; "
-                             "one of both is expected.");
-        }
+        if (const LawInput *const input = input_of(law, symbol);
+            input == nullptr)
+          require_constant(law, measured, symbol);
+        else if (given.count(input->name) > 0)
+          throw InputError("The input " + quoted_name(input->name) +
+                           " is a column of the measurements and an option; "
+                           "one of both is expected.");
       CalibrationData data;
       for (const MeasuredPoint &point : measured.points())
         {
@@ -154,6 +184,16 @@ namespace asperity
                     << "\n";
         }
       std::cout << "mean error " << format_quantity(mean_error, "%", 2) << "\n";
+      for (std::size_t i = 0; i < measured.inputs().size(); ++i)
+        if (const std::string &symbol = measured.inputs()[i];
+            input_of(law.description(), symbol) == nullptr &&
+            measured.points()[0].x[i])
+          std::cout << "The law does not depend on " << symbol
+                    << "; the measurements are at "
+                    << format_quantity(*measured.points()[0].x[i],
+                                       measured.units()[i],
+                                       4)
+                    << ", and its scene has to be, too.\n";
     }
   } // namespace
 

@@ -229,8 +229,14 @@ TEST_F(MeasuredFrictionLaws, calibrate_the_shear_factor)
             "Error: The law also depends on 'Load/Pressure'; a column 'p' of "
             "the measurements or the option -p is expected.\n");
   write("points.csv", "p [MPa],v [m/min],mu\n300,5,0.5\n");
-  EXPECT_NE(refused("calibrate . points.csv").find("has no input 'v'"),
+  EXPECT_NE(run("calibrate . points.csv")
+              .output.find("The law does not depend on v; the measurements are "
+                           "at 5 m/min, and its scene has to be, too.\n"),
             std::string::npos);
+  write("points.csv", "p [MPa],v [m/min],mu\n300,5,0.5\n300,6,0.5\n");
+  EXPECT_EQ(refused("calibrate . points.csv"),
+            "Error: The measurements differ in v, on which the law does not "
+            "depend; its inputs are p, ShearFactor, Plasticstrain.\n");
   write("points.csv", "p [MPa],mu\n300,0.9\n");
   EXPECT_NE(refused("calibrate . points.csv")
               .find("the best value is the end of its range, 1, "),

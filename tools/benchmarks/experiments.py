@@ -5,10 +5,10 @@ Usage: tools/benchmarks/experiments.py [--asperity PROGRAM] [--to FOLDER]
            [--shear-factor M] [--wetting W ...]
 
 The shear factor m of the interface is calibrated on one dry point of the cutting
-test of Lee (2025), section 2.1 (blasted rake face): secant steps until the
-computed mu is within 1 % of the measured one, or m = 1. Everything else is
-predicted with it: the polished rake face, the wet cuts at several fillings of
-the void with oil, and the tribometer over its velocity. The table goes to the
+test of Lee (2025), section 2.1 (blasted rake face), by `asperity characterize`
+and `asperity calibrate`. Everything else is predicted with it: the polished
+rake face, the wet cuts at several fillings of the void with oil, and the
+tribometer over its velocity. The table goes to the
 screen in Markdown, measured_and_computed.png into FOLDER (default
 output/experiments). --shear-factor leaves the calibration out. About half an hour of
 one core.
@@ -18,6 +18,7 @@ import argparse
 import csv
 import json
 import os
+import re
 import subprocess
 import sys
 
@@ -63,31 +64,20 @@ def interface(m):
     return {"Interface/Shear law": "shear factor", "Interface/Shear factor": m}
 
 
-def calibrate(arguments, measured):
-    """m with which the dry cut with the blasted rake face has its mu."""
-    def mu(m):
-        summary = run(arguments, "dry_blasted.prm", f"dry_blasted_m{m:.3f}",
-                      interface(f"{m:.3f}"))
-        return None if summary is None else summary["friction"]["mu"]
-    tried = []
-    m = 0.7
-    for _ in range(5):
-        m = round(min(max(m, 0.), 1.), 3)
-        if m in [old for old, _ in tried]:
-            break
-        value = mu(m)
-        if value is None:
-            break
-        tried.append((m, value))
-        print(f"m = {m:.3f}: mu = {value:.4f}", flush=True)
-        if abs(value / measured - 1.) < 0.01:
-            break
-        if len(tried) == 1:
-            m *= measured / value
-        else:
-            (m_0, mu_0), (m_1, mu_1) = tried[-2:]
-            m = m_1 + (measured - mu_1) * (m_1 - m_0) / (mu_1 - mu_0)
-    return min(tried, key=lambda pair: abs(pair[1] - measured))[0]
+def calibrate(arguments):
+    """m with which the dry cut with the blasted rake face has its mu, by the
+    campaign over m and `asperity calibrate`; 1 if even that is too little."""
+    campaign = os.path.join(SCENES, "shear_factor.prm")
+    for command in (["characterize", campaign],
+                    ["calibrate", "output/experiments/shear_factor",
+                     os.path.join(SCENES, "cutting_test.csv"), "--series",
+                     "dry blasted"]):
+        done = subprocess.run([arguments.asperity] + command, cwd=ROOT,
+                              capture_output=True, text=True, check=False)
+        print(done.stdout if command[0] == "calibrate" else "",
+              done.stderr, sep="", end="", flush=True)
+    found = re.match(r"Interface/Shear factor = ([0-9.e-]+)", done.stdout)
+    return float(found[1]) if found else 1.
 
 
 def print_row(name, measured, summary, rows):
@@ -177,11 +167,9 @@ def main():
     parser.add_argument("--wetting", type=float, nargs="+", default=[0.3, 0.6])
     arguments = parser.parse_args()
     arguments.to = os.path.abspath(arguments.to)
-    dry = next(float(row["mu"]) for row in rows_of("cutting_test.csv")
-               if row["series"] == "dry blasted")
     m = arguments.shear_factor
     if m is None:
-        m = calibrate(arguments, dry)
+        m = calibrate(arguments)
     rows = []
     print(f"m = {m:.3f}\n\n| experiment | measured | computed | ploughing | "
           "interface | oil | error |\n| --- | --- | --- | --- | --- | --- | "
