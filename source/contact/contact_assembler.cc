@@ -225,8 +225,8 @@ namespace asperity
 
 
 
-  double
-  ContactAssembler::touching_length() const
+  std::vector<bool>
+  ContactAssembler::touching() const
   {
     // A mortar pressure reaches a support beyond the touching points; those
     // touch where the penalty law alone would press. A hard mortar contact
@@ -236,12 +236,12 @@ namespace asperity
     for (unsigned int a = 0; a < pressures.size(); ++a)
       pressures[a] = traction_pressure[a].value;
     const std::vector<bool> inside = tractions.inside(pressures);
-    double                  length = 0.;
+    std::vector<bool>       touches(gap.size());
     for (unsigned int q = 0; q < gap.size(); ++q)
-      if (inside[q] || (point_pressure[q] > 0. &&
-                        law.evaluate(gap[q].gap, point_pressure[q]).value > 0.))
-        length += table_.JxW[q];
-    return length;
+      touches[q] =
+        inside[q] || (point_pressure[q] > 0. &&
+                      law.evaluate(gap[q].gap, point_pressure[q]).value > 0.);
+    return touches;
   }
 
 
@@ -249,12 +249,15 @@ namespace asperity
   ContactState
   ContactAssembler::state() const
   {
-    ContactState state;
-    double       length = 0.;
+    ContactState            state;
+    const std::vector<bool> touches = touching();
+    double                  length = 0., touching_length = 0.;
     for (unsigned int q = 0; q < gap.size(); ++q)
       {
         const double p = point_pressure[q];
         length += table_.JxW[q];
+        if (touches[q])
+          touching_length += table_.JxW[q];
         state.force += p * table_.JxW[q] * gap[q].normal;
         state.max_pressure = std::max(state.max_pressure, p);
         state.mean_gap += std::max(gap[q].gap, 0.) * table_.JxW[q];
@@ -268,7 +271,7 @@ namespace asperity
         std::max(state.constraint_violation,
                  std::abs(traction_pressure[a].value - multiplier[a]) /
                    options_.penalty);
-    state.contact_fraction = touching_length() / length;
+    state.contact_fraction = touching_length / length;
     state.mean_gap /= length;
     return state;
   }

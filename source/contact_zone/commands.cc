@@ -47,13 +47,13 @@ namespace asperity
                 << format_quantity(surface.fit_rms, "nm", 2) << " rms\n";
     }
 
-    /** @param heats_itself whether plastic work heats the chip
+    /** @param heat the model in use
      *  @param explain with the treatment of measured surfaces, and what the
      *  numbers of the audit say */
     void
     print_scene(const Scene      &scene,
                 const SceneAudit &audit,
-                const bool        heats_itself,
+                const HeatModel   heat,
                 const bool        explain)
     {
       std::cout << "Tool: " << scene.tool_surface.description << ", period "
@@ -95,7 +95,7 @@ namespace asperity
                 << ", "
                 << (audit.inertia == Inertia::dynamic ? "dynamic" :
                                                         "quasi-static")
-                << (heats_itself ? ", adiabatic\n" : ", isothermal\n");
+                << ", " << name(heat) << "\n";
     }
 
     /** The entries that the models do not read, by what they count with. */
@@ -135,6 +135,14 @@ namespace asperity
                                      "1",
                                      3)
                   << " % of the load\n";
+      const FrictionRow &last = run.state().rows.back();
+      const double       heat = last.plastic_heat + last.friction_heat;
+      if (heat > 0.)
+        std::cout << "of " << format_quantity(1e3 * heat, "1", 3)
+                  << " mJ/m of heat "
+                  << format_quantity(100. * last.tool_heat / heat, "1", 3)
+                  << " % have gone into the tool; the interface is at up to "
+                  << format_quantity(last.flash_temperature, "degC", 4) << "\n";
       std::cout << run.state().step << " steps, "
                 << run.newton_statistics().iterations << " Newton iterations, "
                 << std::setprecision(3) << seconds << " s; results in "
@@ -255,7 +263,7 @@ namespace asperity
     folder.clear(parameters.output.restart);
     write_parameters(input);
     std::cout << version_line() << "\n";
-    print_scene(scene, audit, parameters.material.heats_itself(), false);
+    print_scene(scene, audit, parameters.heat_model(), false);
     print_unused(audit.unused);
     for (const std::string &note : notes)
       std::cout << "Warning: " << note << "\n";
@@ -295,7 +303,7 @@ namespace asperity
     const AuditedScene audited(input);
     print_scene(*audited.scene,
                 audited.audit,
-                input.parameters.material.heats_itself(),
+                input.parameters.heat_model(),
                 true);
     print_unused(audited.audit.unused);
     for (const auto &list :

@@ -23,7 +23,9 @@ namespace asperity
                                          &FrictionRow::oil_pressure,
                                          &FrictionRow::oil_T_x,
                                          &FrictionRow::shear_T_x,
-                                         &FrictionRow::shear_T_y})
+                                         &FrictionRow::shear_T_y,
+                                         &FrictionRow::friction_heat,
+                                         &FrictionRow::tool_heat})
         row.*entry = (1. - w) * a.*entry + w * b.*entry;
       return row;
     }
@@ -103,6 +105,28 @@ namespace asperity
     result.spread =
       std::sqrt(std::max(0., mu_squared / duration - mean * mean));
     return result;
+  }
+
+
+
+  std::optional<double>
+  share_of_tool(const std::vector<FrictionRow> &rows,
+                const double                    begin,
+                const double                    end)
+  {
+    double tool = 0., friction = 0.;
+    for (std::size_t i = 1; i < rows.size(); ++i)
+      {
+        const double t0 = std::max(rows[i - 1].time, begin),
+                     t1 = std::min(rows[i].time, end);
+        if (t0 >= t1)
+          continue;
+        const FrictionRow a = interpolate(rows[i - 1], rows[i], t0),
+                          b = interpolate(rows[i - 1], rows[i], t1);
+        tool += b.tool_heat - a.tool_heat;
+        friction += b.friction_heat - a.friction_heat;
+      }
+    return friction > 0. ? std::optional(tool / friction) : std::nullopt;
   }
 
 

@@ -1,6 +1,7 @@
 #include <asperity/base/errors.h>
 #include <asperity/contact/curve_obstacle.h>
 #include <asperity/contact_zone/scene.h>
+#include <asperity/contact_zone/scene_heat.h>
 #include <asperity/isogeometric/element_view.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -91,13 +92,18 @@ namespace asperity
   {
     build_surfaces(parameters);
     build_mesh(parameters);
-    law = parameters.material.make_law();
+    law = parameters.make_law();
     build_chip(parameters);
     build_contact(parameters);
     build_lubricant(parameters);
+    build_heat(parameters);
     build_boundaries();
     build_equilibrium(parameters.solver.linear_solver);
   }
+
+
+
+  Scene::~Scene() = default;
 
 
 
@@ -241,6 +247,16 @@ namespace asperity
 
 
 
+  void
+  Scene::build_heat(const SceneParameters &parameters)
+  {
+    if (parameters.heat_model() == HeatModel::conducting)
+      heat = std::make_unique<SceneHeat>(
+        parameters, *space, geometry, length, *chip, *contact);
+  }
+
+
+
   unsigned int
   Scene::n_dofs() const
   {
@@ -320,5 +336,19 @@ namespace asperity
         u(displacement_dof(a, 1)) = y;
       }
     return u;
+  }
+
+
+
+  double
+  Scene::flash_temperature() const
+  {
+    if (heat)
+      return heat->flash_temperature();
+    double hottest = 0.;
+    for (const SurfaceLayer::Point &point :
+         surface_layer->at_edge(chip->history()))
+      hottest = std::max(hottest, point.temperature);
+    return hottest;
   }
 } // namespace asperity

@@ -132,6 +132,7 @@ namespace asperity
     mesh.check(parameters, geometry.height);
     material.check(parameters);
     check_interface(*this, parameters);
+    heat.check(parameters, material.heating.adiabatic);
     protocol.check(parameters);
     if (fills_gap(lubrication.model) &&
         protocol.inertia == Inertia::quasi_static)

@@ -2,6 +2,7 @@
 #include <asperity/base/errors.h>
 #include <asperity/base/text.h>
 #include <asperity/contact_zone/scene_checkpoint.h>
+#include <asperity/contact_zone/scene_heat.h>
 
 #include <algorithm>
 
@@ -46,6 +47,8 @@ namespace asperity
         archive << shear->history().tractions << shear->history().positions;
       if (scene.lubricant)
         scene.lubricant->save(archive);
+      if (scene.heat)
+        scene.heat->save(archive);
       if (const LubricatedStep *step = run.lubricated_step())
         step->save(archive);
       const SolidStep::State motion = run.solid_step().state();
@@ -77,6 +80,8 @@ namespace asperity
           fixed_length(shear.positions, "points of the contact");
       if (scene.lubricant)
         scene.lubricant->load(archive);
+      if (scene.heat)
+        scene.heat->load(archive);
       if (LubricatedStep *step = run.lubricated_step())
         step->load(archive);
       if (run.solid_step().is_dynamic())

@@ -27,8 +27,11 @@ namespace asperity
         warnings.push_back(
           "The chip gets as hot as " + format_quantity(hottest, "degC", 5) +
           " and all but melts there (melting temperature " +
-          format_quantity(softening->melting_temperature, "degC", 5) +
-          "); nothing conducts the heat away, so that this is an upper bound.");
+          format_quantity(softening->melting_temperature, "degC", 5) + ")" +
+          (parameters.heat_model() == HeatModel::conducting ?
+             "." :
+             "; nothing conducts the heat away, so that this is an upper bound: "
+             "Heat/Model = conducting would tell more."));
     }
 
     /** Whether the oil shears as no oil does: the limiting stress grows

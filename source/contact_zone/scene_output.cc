@@ -1,6 +1,7 @@
 #include <asperity/base/version.h>
 #include <asperity/contact_zone/mechanisms.h>
 #include <asperity/contact_zone/scene_checkpoint.h>
+#include <asperity/contact_zone/scene_heat.h>
 #include <asperity/contact_zone/scene_output.h>
 #include <asperity/postprocess/polyline.h>
 #include <asperity/postprocess/summary.h>
@@ -158,6 +159,19 @@ namespace asperity
         line.scalars.emplace_back("shear traction [Pa]", shear->at_points());
         line.scalars.emplace_back("sticking [-]", shear->sticking());
       }
+    if (scene.heat)
+      {
+        const auto add = [&line](const std::string  &name,
+                                 std::vector<double> temperature) {
+          for (double &value : temperature)
+            value -= 273.15;
+          line.scalars.push_back({name, temperature});
+        };
+        add("temperature of the chip [degC]", scene.heat->chip_temperature());
+        add("temperature of the tool [degC]", scene.heat->tool_temperature());
+        line.scalars.push_back(
+          {"heat flux into the tool [W/m^2]", scene.heat->flux_to_tool()});
+      }
     contact_line.write(step, time, [&](std::ostream &out) {
       write_polyline(out, line, time, step);
     });
@@ -248,13 +262,37 @@ namespace asperity
       return summary;
     }
 
+    json
+    summarise_heat(const SlidingRun &run)
+    {
+      const std::vector<FrictionRow> &rows     = run.state().rows;
+      const FrictionResult            friction = run.friction();
+      const std::optional<double>     to_tool =
+        share_of_tool(rows, friction.window_begin, friction.window_end);
+      double flash = 0., error = 0.;
+      for (const FrictionRow &row : rows)
+        {
+          flash = std::max(flash, row.flash_temperature);
+          error = std::max(error, row.heat_balance_error);
+        }
+      json summary;
+      summary["to_tool"]           = to_tool ? json(*to_tool) : json(nullptr);
+      summary["balance_error"]     = error;
+      summary["flash_temperature"] = flash;
+      return summary;
+    }
+
     /** The columns of the last row that summary.json shows. */
     void
-    add_end(const FrictionRow &last, const bool has_oil, json &summary)
+    add_end(const FrictionRow &last, const Scene &scene, json &summary)
     {
+      const auto is_in = [](const FrictionColumn &column, const char *section) {
+        return column.summary.rfind(section, 0) == 0;
+      };
       for (const FrictionColumn &column : friction_columns())
         if (!column.summary.empty() &&
-            (has_oil || column.summary.compare(0, 5, "/oil/") != 0))
+            (scene.lubricant || !is_in(column, "/oil/")) &&
+            (scene.heat || !is_in(column, "/heat/")))
           std::visit(
             [&](const auto entry) {
               summary[json::json_pointer(column.summary)] = last.*entry;
@@ -306,8 +344,9 @@ namespace asperity
     summary["contact_fraction"] = run.friction().contact_fraction;
     if (scene.lubricant)
       summary["oil"] = summarise_oil(run, scene, parameters);
-    const FrictionRow &last = run.state().rows.back();
-    add_end(last, scene.lubricant != nullptr, summary);
+    if (scene.heat)
+      summary["heat"] = summarise_heat(run);
+    add_end(run.state().rows.back(), scene, summary);
     summary["load"]   = {{"pressure", parameters.load.pressure},
                          {"velocity", parameters.load.velocity},
                          {"temperature", parameters.load.temperature},
@@ -315,7 +354,7 @@ namespace asperity
     summary["models"] = {
       {"lubricant", name(parameters.lubrication.model)},
       {"inertia", run.solid_step().is_dynamic() ? "dynamic" : "quasi-static"},
-      {"heat", parameters.material.heats_itself() ? "adiabatic" : "isothermal"},
+      {"heat", name(parameters.heat_model())},
       {"material", scene.law->name()}};
     summary["mechanisms"] = mechanisms_of(parameters);
     summary["mesh"]       = {{"degree", scene.space->degree()},

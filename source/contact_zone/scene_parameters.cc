@@ -228,6 +228,7 @@ namespace asperity
     contact.declare(parameters);
     interface.declare(parameters);
     lubrication.declare(parameters);
+    heat.declare(parameters);
     solver.declare(parameters);
     output.declare(parameters);
   }
@@ -239,5 +240,37 @@ namespace asperity
   {
     if (protocol.sliding_distance)
       protocol.end_time = *protocol.sliding_distance / load.velocity;
+  }
+
+
+
+  HeatModel
+  SceneParameters::heat_model() const
+  {
+    if (heat.model != HeatModel::automatic)
+      return heat.model;
+    return material.heats_itself() ? HeatModel::adiabatic :
+                                     HeatModel::isothermal;
+  }
+
+
+
+  std::unique_ptr<MaterialLaw>
+  SceneParameters::make_law() const
+  {
+    MaterialParameters chosen = material;
+    if (heat.model == HeatModel::isothermal)
+      chosen.heating.adiabatic = false;
+    return chosen.make_law();
+  }
+
+
+
+  ThermalProperties
+  SceneParameters::chip_thermal() const
+  {
+    return {heat.chip_conductivity,
+            material.elasticity.density,
+            material.heating.heat_capacity};
   }
 } // namespace asperity

@@ -1,4 +1,5 @@
 #include <asperity/base/errors.h>
+#include <asperity/contact_zone/scene_heat.h>
 #include <asperity/contact_zone/sliding_run.h>
 
 #include <deal.II/base/timer.h>
@@ -34,6 +35,7 @@ namespace asperity
     state_.rows.emplace_back();
     state_.rows.back().max_temperature    = parameters.load.temperature;
     state_.rows.back().max_plastic_strain = parameters.load.plastic_strain;
+    state_.rows.back().flash_temperature  = scene.flash_temperature();
     if (!step.is_dynamic())
       return;
     SolidStep::State start = step.state();
@@ -285,6 +287,8 @@ namespace asperity
   SlidingRun::accept(const Vector &u, const double dt)
   {
     step.accept(u);
+    if (scene.heat)
+      scene.heat->advance(u, dt, frictional_power(dt));
     if (ShearTraction *shear = scene.contact->shear())
       shear->accept();
     if (scene.lubricant)

@@ -1,3 +1,4 @@
+#include <asperity/contact_zone/scene_heat.h>
 #include <asperity/contact_zone/sliding_run.h>
 
 #include <algorithm>
@@ -18,7 +19,9 @@ namespace asperity
   double
   SlidingRun::oil_temperature() const
   {
-    return 0.5 * (parameters.load.temperature + scene.interface_temperature());
+    const double tool = scene.heat ? scene.heat->mean_tool_temperature() :
+                                     parameters.load.temperature;
+    return 0.5 * (tool + scene.interface_temperature());
   }
 
 
@@ -40,6 +43,20 @@ namespace asperity
                              parameters.interface.shear_layer) :
         std::vector<double>(scene.contact->pressure().size(), 0.);
     shear->set_interface(k, std::vector<double>(k.size(), wet));
+  }
+
+
+
+  std::vector<double>
+  SlidingRun::frictional_power(const double dt) const
+  {
+    const ShearTraction *shear = scene.contact->shear();
+    if (shear == nullptr)
+      return std::vector<double>(scene.contact->table().JxW.size(), 0.);
+    std::vector<double> power = shear->dissipation();
+    for (double &value : power)
+      value /= dt;
+    return power;
   }
 
 

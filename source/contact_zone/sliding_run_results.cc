@@ -1,3 +1,4 @@
+#include <asperity/contact_zone/scene_heat.h>
 #include <asperity/contact_zone/sliding_run.h>
 
 #include <algorithm>
@@ -38,6 +39,9 @@ namespace asperity
           std::max(row.max_plastic_strain, point.plastic_strain);
         row.max_temperature = std::max(row.max_temperature, point.temperature);
       }
+    row.flash_temperature = scene.flash_temperature();
+    if (scene.heat)
+      record_heat(row);
     unsigned int iterations = 0;
     for (const FrictionRow &earlier : state_.rows)
       iterations += earlier.newton_iterations;
@@ -49,6 +53,20 @@ namespace asperity
     recorded_factorisations = factorisations;
     row.wall_time           = seconds;
     state_.rows.push_back(row);
+  }
+
+
+
+  void
+  SlidingRun::record_heat(FrictionRow &row) const
+  {
+    const HeatAmounts &heat = scene.heat->amounts();
+    row.plastic_heat        = heat.plastic;
+    row.friction_heat       = heat.friction;
+    row.stored_heat         = heat.stored;
+    row.depth_heat          = heat.depth;
+    row.tool_heat           = heat.tool;
+    row.heat_balance_error  = scene.heat->balance_error();
   }
 
 

@@ -14,6 +14,12 @@ namespace asperity
       return std::isfinite(p.material.make_law()->shear_limit(0., 0., 0.));
     }
 
+    bool
+    conducts(const SceneParameters &p)
+    {
+      return p.heat_model() == HeatModel::conducting;
+    }
+
     EntryConditions
     conditions_of_interface()
     {
@@ -61,19 +67,42 @@ namespace asperity
          "Refinement levels",
          [](const SceneParameters &p) { return p.mesh.refinement > 0; }},
         {{"Material/Adiabatic heating",
-          "Material/Heat capacity",
           "Material/Heat fraction",
           "Load/Plastic strain"},
          "a Law of plasticity",
          yields},
+        {{"Material/Heat capacity"},
+         "a Law of plasticity, or the Heat model conducting",
+         [](const SceneParameters &p) { return yields(p) || conducts(p); }},
         {{"Material/Heat capacity", "Material/Heat fraction"},
          "Adiabatic heating",
          [](const SceneParameters &p) { return p.material.heating.adiabatic; }},
+        {{"Material/Adiabatic heating",
+          "Material/Heat capacity",
+          "Material/Heat fraction"},
+         "a Heat model in which the chip warms",
+         [](const SceneParameters &p) {
+           return p.heat.model != HeatModel::isothermal;
+         }},
+        {{"Heat/Chip conductivity",
+          "Heat/Tool conductivity",
+          "Heat/Tool density",
+          "Heat/Tool heat capacity",
+          "Heat/Tool temperature",
+          "Heat/Contact conductance"},
+         "the Heat model conducting",
+         conducts},
+        {{"Heat/Oil conductivity"},
+         "the Heat model conducting and a lubricant",
+         [](const SceneParameters &p) {
+           return conducts(p) && p.lubrication.model != LubricantModel::none;
+         }},
         {{"Load/Temperature"},
          "a Law of the chip that softens or heats itself, or a Temperature law "
          "of the oil",
          [](const SceneParameters &p) {
            return p.material.softening() || p.material.heats_itself() ||
+                  conducts(p) ||
                   (p.lubrication.model != LubricantModel::none &&
                    p.lubrication.oil.temperature.law != TemperatureLaw::none);
          }},

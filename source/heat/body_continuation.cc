@@ -22,7 +22,7 @@ namespace asperity
     std::vector<double> x;
     for (const auto &position : edge.position)
       x.push_back(position[0]);
-    dealii::FullMatrix<double> f = beyond.basis().values(x);
+    dealii::LAPACKFullMatrix<double> f = beyond.basis().values(x);
     // A wave carries no heat on the whole, to the last bit.
     for (unsigned int m = 1; m < f.n(); ++m)
       {

@@ -45,10 +45,10 @@ namespace asperity
 
 
 
-  dealii::FullMatrix<double>
+  dealii::LAPACKFullMatrix<double>
   FourierBasis::values(const std::vector<double> &x) const
   {
-    dealii::FullMatrix<double> f(x.size(), size());
+    dealii::LAPACKFullMatrix<double> f(x.size(), size());
     for (unsigned int q = 0; q < x.size(); ++q)
       {
         const auto turn = std::polar(1., wave_number(1) * x[q]);

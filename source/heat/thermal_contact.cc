@@ -54,10 +54,20 @@ namespace asperity
       }
 
     private:
-      const FourierBasis        &basis;
-      dealii::FullMatrix<double> values;
-      Vector                     response;
+      const FourierBasis              &basis;
+      dealii::LAPACKFullMatrix<double> values;
+      Vector                           response;
     };
+
+    /** s = sqrt(h W) at each point. */
+    Vector
+    roots_of_conductance(const InterfaceHeat &interface, const BasisTable &edge)
+    {
+      Vector s(edge.JxW.size());
+      for (unsigned int q = 0; q < s.size(); ++q)
+        s(q) = std::sqrt(interface.conductance[q] * edge.JxW[q]);
+      return s;
+    }
 
     /** As conjugate gradients see a matrix. */
     template <class Product>
@@ -122,12 +132,10 @@ namespace asperity
   {
     const unsigned int n = edge.JxW.size();
     const ToolResponse tool_response(tool, interface.x, dt);
-    Vector             half_friction(n), s(n);
+    Vector             half_friction(n);
     for (unsigned int q = 0; q < n; ++q)
-      {
-        half_friction(q) = 0.5 * interface.friction[q] * edge.JxW[q];
-        s(q)             = std::sqrt(interface.conductance[q] * edge.JxW[q]);
-      }
+      half_friction(q) = 0.5 * interface.friction[q] * edge.JxW[q];
+    const Vector s = roots_of_conductance(interface, edge);
 
     // Without exchange.
     Step step;

@@ -302,3 +302,12 @@ TEST_F(BadInput, oil_too_thin_for_the_law_of_roelands)
     "Error: scene.prm, line 5, entry 'Lubricant/Viscosity': found 5e-05 "
     "Pa s; expected more than 6.31e-05 Pa s for the law of Roelands.\n");
 }
+
+TEST_F(BadInput, heat_model_against_the_material)
+{
+  EXPECT_EQ(refusal(in("Material", "set Adiabatic heating = false") +
+                    in("Heat", "set Model = conducting")),
+            "Error: scene.prm, line 5, entry 'Heat/Model': found conducting "
+            "with Material/Adiabatic heating = false; expected that to be "
+            "true, or the model isothermal.\n");
+}

@@ -77,7 +77,7 @@ TEST(SceneAudit, numbers_follow_their_definitions)
   EXPECT_EQ(audit.inertia, Inertia::quasi_static);
 }
 
-TEST(SceneAudit, heat_spreads_less_in_a_chip_of_larger_heat_capacity)
+TEST(SceneAudit, heat_spreads_as_conductivity_and_heat_capacity_of_the_chip_say)
 {
   SceneParameters parameters = coarse_scene();
   const Scene     scene(parameters);
@@ -87,6 +87,11 @@ TEST(SceneAudit, heat_spreads_less_in_a_chip_of_larger_heat_capacity)
   EXPECT_NEAR(number(audit_scene(parameters, scene),
                      "heat length over peak-to-valley height"),
               0.5 * length,
+              1e-12 * length);
+  parameters.heat.chip_conductivity *= 9.;
+  EXPECT_NEAR(number(audit_scene(parameters, scene),
+                     "heat length over peak-to-valley height"),
+              1.5 * length,
               1e-12 * length);
 }
 

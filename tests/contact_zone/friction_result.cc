@@ -121,3 +121,21 @@ TEST(MeansOverDistance, an_incomplete_last_window_is_left_out)
   EXPECT_TRUE(means_over_distance(three_rows(), 7.).empty());
   EXPECT_TRUE(means_over_distance({FrictionRow()}, 1.).empty());
 }
+
+
+
+TEST(ShareOfTool, is_that_of_the_heat_in_the_window)
+{
+  // Heat of friction 0, 10, 30 and of the tool 0, 2, 14 J/m at t = 0, 1, 3 s;
+  // between 0.5 and 2 s come 20 - 5 and 8 - 1.
+  auto         rows       = three_rows();
+  const double friction[] = {0., 10., 30.}, tool[] = {0., 2., 14.};
+  for (unsigned int i = 0; i < 3; ++i)
+    {
+      rows[i].friction_heat = friction[i];
+      rows[i].tool_heat     = tool[i];
+    }
+  EXPECT_NEAR(share_of_tool(rows, 0.5, 2.).value(), 7. / 15., 1e-14);
+  EXPECT_NEAR(share_of_tool(rows, 0., 9.).value(), 14. / 30., 1e-14);
+  EXPECT_FALSE(share_of_tool(three_rows(), 0., 3.));
+}

@@ -108,6 +108,20 @@ TEST(Restart, keeps_what_a_steady_window_has_seen)
   expect_identical_rest(parameters, 7);
 }
 
+TEST(Restart, keeps_the_heat_of_chip_and_tool)
+{
+  SceneParameters parameters       = coarse_scene();
+  parameters.heat.model            = HeatModel::conducting;
+  parameters.heat.tool_temperature = 400.;
+  for (const unsigned int stop : {1, 9})
+    expect_identical_rest(parameters, stop);
+  // The viscosity follows the temperature of the tool.
+  parameters.lubrication.model               = LubricantModel::reynolds;
+  parameters.lubrication.wetting             = 0.8;
+  parameters.lubrication.oil.temperature.law = TemperatureLaw::vogel;
+  expect_identical_rest(parameters, 8);
+}
+
 TEST(Restart, keeps_the_oil_of_each_pocket)
 {
   SceneParameters parameters         = coarse_scene();

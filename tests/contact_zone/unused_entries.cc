@@ -106,12 +106,18 @@ namespace
                                  {"Chip surface/Phases", "1 rad"},
                                  {"Material/Law", "Voce"},
                                  {"Material/Adiabatic heating", "false"},
-                                 {"Mesh/Refinement levels", "0"}};
+                                 {"Mesh/Refinement levels", "0"}},
+                    warm      = {{"Heat/Model", "conducting"}},
+                    warm_oil  = {{"Heat/Model", "conducting"},
+                                 {"Lubrication/Model", "pocket"},
+                                 {"Heat/Tool temperature", "100 degC"}},
+                    cold      = {{"Heat/Model", "isothermal"}};
 } // namespace
 
 TEST(UnusedEntries, have_no_influence_on_the_forces)
 {
-  for (const EntryValues &values : {dry, pocket, film, elastic, two_waves})
+  for (const EntryValues &values :
+       {dry, pocket, film, elastic, two_waves, warm, cold})
     {
       GivenScene   scene(values), changed(values);
       unsigned int n = 0;
@@ -132,6 +138,7 @@ TEST(UnusedEntries, of_every_subsection_are_used_somewhere)
     film,
     elastic,
     two_waves,
+    warm_oil,
     {{"Lubrication/Model", "Navier-Stokes"},
      {"Flow/Mesh update", "elastic"},
      {"Flow/Boundary left", "resistance"},
@@ -211,6 +218,14 @@ TEST(UnusedEntries, of_each_model_are_those_that_it_does_not_read)
   EXPECT_TRUE(is_unused(dry, "Tool/Topography/File"));
   EXPECT_FALSE(is_unused(dry, "Tool/Topography/Scale z"));
   EXPECT_TRUE(is_unused(dry, "Chip surface/Topography/Scale z"));
+
+  EXPECT_TRUE(is_unused(dry, "Heat/Tool density"));
+  EXPECT_FALSE(is_unused(warm, "Heat/Tool density"));
+  EXPECT_TRUE(is_unused(warm, "Heat/Oil conductivity"));
+  EXPECT_FALSE(is_unused(warm_oil, "Heat/Oil conductivity"));
+  EXPECT_TRUE(is_unused(cold, "Material/Adiabatic heating"));
+  EXPECT_TRUE(is_unused(cold, "Material/Heat capacity"));
+  EXPECT_FALSE(is_unused(warm, "Material/Heat capacity"));
 
   // Any of them may be chosen.
   EXPECT_FALSE(

@@ -41,6 +41,7 @@ namespace
     row.contact_fraction     = 1. / 3.;
     row.max_contact_pressure = 2.5e9;
     row.max_temperature      = 298.15;
+    row.flash_temperature    = 298.15;
     row.newton_iterations    = 4;
     return row;
   }
@@ -58,16 +59,21 @@ TEST(FrictionTable, headings_name_every_unit_and_rows_are_on_disk_at_once)
   ASSERT_EQ(rows.size(), 2u);
   EXPECT_EQ(rows[0],
             "step,time [s],sliding distance [m],T_x [N/m],T_y [N/m],mu [-],"
+            "ploughing [-],interface shear [-],oil shear [-],"
+            "interface T_x [N/m],interface T_y [N/m],sticking [-],"
             "contact fraction [-],max contact pressure [Pa],"
-            "max plastic strain [-],max temperature [K],mean gap [m],"
+            "real contact pressure [Pa],max plastic strain [-],"
+            "max temperature [K],flash temperature [K],plastic heat [J/m],"
+            "friction heat [J/m],stored heat [J/m],depth heat [J/m],"
+            "tool heat [J/m],heat balance error [-],mean gap [m],"
             "max penetration [m],oil pressure [Pa],max oil pressure [Pa],"
-            "oil T_x [N/m],shear T_x [N/m],shear T_y [N/m],void volume [m^2],"
-            "oil volume [m^2],oil reference volume [m^2],oil in [m^2],"
-            "oil out [m^2],pockets [-],"
+            "oil T_x [N/m],shear T_x [N/m],shear T_y [N/m],"
+            "void volume [m^2],oil volume [m^2],oil reference volume [m^2],"
+            "oil in [m^2],oil out [m^2],pockets [-],"
             "coupling iterations [-],newton iterations [-],"
             "factorisations [-],wall time [s]");
   EXPECT_EQ(rows[1].substr(0, 8), "8,8e-09,");
-  EXPECT_NE(rows[1].find(",0.3333333333333333,2500000000,0,298.15,"),
+  EXPECT_NE(rows[1].find(",0.3333333333333333,2500000000,0,0,298.15,"),
             std::string::npos);
 }
 
@@ -82,9 +88,10 @@ TEST(FrictionTable, companion_shows_people_units)
   // 8e-9 s, 3e-9 m, 300 N/m, 2.5e9 Pa and 298.15 K by hand; no oil.
   EXPECT_EQ(rows[0].substr(0, 46),
             "step,time [us],sliding distance [um],T_x [N/mm");
-  EXPECT_EQ(rows[1],
-            "8,0.008,0.003,0.3,-3,0.1,0.333333333333,2500,0,25,0,0,"
-            "0,0,0,0,0,0,0,0,0,0,0,0,4,0,0");
+  EXPECT_EQ(
+    rows[1],
+    "8,0.008,0.003,0.3,-3,0.1,0,0,0,0,0,0,0.333333333333,2500,0,0,25,25,"
+    "0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,4,0,0");
 }
 
 
@@ -127,7 +134,7 @@ TEST(FrictionTable, every_entry_of_a_row_is_a_column_of_its_own)
   for (std::size_t i = 0; i < friction_columns().size(); ++i)
     EXPECT_EQ(friction_columns()[i].value(row), i + 1.)
       << friction_columns()[i].name;
-  EXPECT_EQ(friction_columns().size(), 27u);
+  EXPECT_EQ(friction_columns().size(), 41u);
 
   FrictionRow       copy;
   const std::string bytes =

@@ -128,6 +128,10 @@ namespace asperity
     const std::vector<dealii::Point<2>> &
     positions() const;
 
+    /** Which of the points touch, as the contact fraction counts them. */
+    std::vector<bool>
+    touching() const;
+
     const ContactOptions &
     options() const;
 
@@ -145,10 +149,6 @@ namespace asperity
 
     void
     set_pressures();
-
-    /** Reference length in contact [m]. */
-    double
-    touching_length() const;
 
     void
     add_residual(dealii::Vector<double> &residual) const;

@@ -3,6 +3,7 @@
 
 #include <asperity/postprocess/friction_table.h>
 
+#include <optional>
 #include <vector>
 
 namespace asperity
@@ -60,6 +61,14 @@ namespace asperity
   average_friction(const std::vector<FrictionRow> &rows,
                    const double                    begin,
                    const double                    end);
+
+  /** Heat that goes into the tool in a window of time over the frictional heat
+   *  in it; plastic heat that flows into the tool is in the first, too. Empty
+   *  without frictional heat. */
+  std::optional<double>
+  share_of_tool(const std::vector<FrictionRow> &rows,
+                const double                    begin,
+                const double                    end);
 
   /** mu over [from, to] in sliding distance. */
   struct DistanceMean

@@ -16,6 +16,8 @@
 
 namespace asperity
 {
+  class SceneHeat;
+
   /**
    * The bodies of a contact scene: an isogeometric chip block, periodic in
    * x, below a rigid periodic tool. Lengths in metres; y
@@ -27,6 +29,8 @@ namespace asperity
     /** @throws InputError if surfaces, mesh or oil cannot be made of the
      *  parameters */
     explicit Scene(const SceneParameters &parameters);
+
+    ~Scene();
 
     Scene(const Scene &) = delete;
     Scene &
@@ -64,6 +68,11 @@ namespace asperity
     std::vector<double>
     shear_strength(const double rate) const;
 
+    /** Highest temperature of the interface at the last accepted step [K]: that
+     *  of the chip at its top unless heat is conducted. */
+    double
+    flash_temperature() const;
+
     /** Vertical dead load on the bottom per pressure [m]: times p it is the
      *  load vector. */
     const dealii::Vector<double> &
@@ -89,7 +98,8 @@ namespace asperity
     std::unique_ptr<ContactAssembler>  contact;
     std::unique_ptr<SurfaceLayer>      surface_layer; ///< of the chip
     std::unique_ptr<Lubricant>         lubricant;     ///< null: dry
-    GapFlow *gap_flow = nullptr; ///< the lubricant, if it is one
+    GapFlow *gap_flow = nullptr;       ///< the lubricant, if it is one
+    std::unique_ptr<SceneHeat>   heat; ///< null: no heat is conducted
     std::unique_ptr<Equilibrium> equilibrium;
 
   private:
@@ -113,6 +123,9 @@ namespace asperity
 
     void
     build_film(const SceneParameters &parameters);
+
+    void
+    build_heat(const SceneParameters &parameters);
 
     /** A typical gap between the surfaces, positive [m]. */
     double

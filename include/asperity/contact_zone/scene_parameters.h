@@ -5,10 +5,12 @@
 #include <asperity/constitutive/interface_law.h>
 #include <asperity/constitutive/material_parameters.h>
 #include <asperity/contact/contact_assembler.h>
+#include <asperity/contact_zone/heat_parameters.h>
 #include <asperity/contact_zone/lubrication_parameters.h>
 #include <asperity/solvers/direct_solver.h>
 #include <asperity/topography/topography_parameters.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -212,6 +214,7 @@ namespace asperity
     ContactParameters     contact;
     InterfaceParameters   interface;
     LubricationParameters lubrication;
+    HeatParameters        heat;
     SolverParameters      solver;
     OutputParameters      output;
 
@@ -229,6 +232,20 @@ namespace asperity
      *  distance. */
     void
     resolve();
+
+    /** The heat model with adiabatic or isothermal for `automatic`, as the
+     *  material says. */
+    HeatModel
+    heat_model() const;
+
+    /** The point law of the chip under this model.
+     *  @throws InputError if one of its constants has no physical meaning */
+    std::unique_ptr<MaterialLaw>
+    make_law() const;
+
+    /** What conduction needs to know of the chip. */
+    ThermalProperties
+    chip_thermal() const;
   };
 } // namespace asperity
 

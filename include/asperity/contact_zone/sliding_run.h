@@ -97,7 +97,7 @@ namespace asperity
     period() const;
 
     /** The mean of tool and chip where they meet, at the last accepted step
-     *  [K]; the tool keeps its temperature. */
+     *  [K]; the tool keeps its temperature unless heat is conducted. */
     double
     oil_temperature() const;
 
@@ -164,6 +164,14 @@ namespace asperity
 
     void
     record_interface(FrictionRow &row) const;
+
+    void
+    record_heat(FrictionRow &row) const;
+
+    /** Of the step that is being accepted, of length dt [s], at the points of
+     *  the contact and per reference length [W/m^2]. */
+    std::vector<double>
+    frictional_power(const double dt) const;
 
     const SceneParameters &parameters;
     Scene                 &scene;

@@ -1,7 +1,7 @@
 #ifndef asperity_heat_fourier_basis_h
 #define asperity_heat_fourier_basis_h
 
-#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/lapack_full_matrix.h>
 
 #include <vector>
 
@@ -39,7 +39,7 @@ namespace asperity
     norm(const unsigned int m) const;
 
     /** f_m(x_q) as entry (q, m), at any x. */
-    dealii::FullMatrix<double>
+    dealii::LAPACKFullMatrix<double>
     values(const std::vector<double> &x) const;
 
   private:

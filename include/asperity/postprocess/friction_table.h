@@ -34,6 +34,13 @@ namespace asperity
     double       real_contact_pressure = 0.;
     double       max_plastic_strain    = 0.;
     double       max_temperature       = 0.;
+    double       flash_temperature     = 0.;
+    double       plastic_heat          = 0.;
+    double       friction_heat         = 0.;
+    double       stored_heat           = 0.;
+    double       depth_heat            = 0.;
+    double       tool_heat             = 0.;
+    double       heat_balance_error    = 0.;
     double       mean_gap              = 0.;
     double       max_penetration       = 0.;
     double       oil_pressure          = 0.;

@@ -1,0 +1,257 @@
+#include <asperity/base/archive.h>
+#include <asperity/contact_zone/scene_heat.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity
+{
+  using Vector = dealii::Vector<double>;
+
+  double
+  HeatAmounts::balance_error() const
+  {
+    const double size = std::abs(plastic) + std::abs(friction) +
+                        std::abs(stored) + std::abs(depth) + std::abs(tool);
+    return size > 0. ?
+             std::abs(plastic + friction - stored - depth - tool) / size :
+             0.;
+  }
+
+
+
+  HeatAmounts
+  HeatAmounts::since(const HeatAmounts &before) const
+  {
+    return {plastic - before.plastic,
+            friction - before.friction,
+            stored - before.stored,
+            depth - before.depth,
+            tool - before.tool};
+  }
+
+
+
+  namespace
+  {
+    double
+    temperature_of_tool(const SceneParameters &parameters)
+    {
+      return parameters.heat.tool_temperature.value_or(
+        parameters.load.temperature);
+    }
+  } // namespace
+
+
+
+  SceneHeat::SceneHeat(const SceneParameters  &parameters,
+                       const SplineSpace      &space,
+                       const PatchGeometry    &geometry,
+                       const double            period,
+                       SolidAssembler         &chip,
+                       const ContactAssembler &contact)
+    : parameters(parameters.heat)
+    , has_oil(parameters.lubrication.model != LubricantModel::none)
+    , start(parameters.load.temperature)
+    , material(parameters.chip_thermal())
+    , chip(chip)
+    , contact(contact)
+    , conduction(chip.table(), space.n_functions(), material)
+    , exchange(contact.table(),
+               parameters.heat.tool,
+               period,
+               contact.table().elements.size(),
+               temperature_of_tool(parameters) - start)
+    , chip_rise(contact.table().JxW.size(), 0.)
+    , tool_rise(chip_rise.size(), temperature_of_tool(parameters) - start)
+    , to_tool(chip_rise.size(), 0.)
+  {
+    const BasisTable bottom =
+      tabulate_edge(space,
+                    geometry,
+                    Edge::bottom,
+                    dealii::QGauss<1>(space.degree() + 2),
+                    true);
+    // The bottom has the coarsest elements, four for the shortest wave.
+    conduction.continue_beyond(bottom, period, bottom.elements.size() / 4);
+  }
+
+
+
+  Vector
+  SceneHeat::plastic_power(const double dt) const
+  {
+    // At the start of the step the points had the temperature of the field.
+    Vector power = conduction.rise_at_points();
+    for (unsigned int q = 0; q < power.size(); ++q)
+      power(q) = material.volumetric_capacity() / dt *
+                 (chip.history()[q].temperature - (start + power(q)));
+    return power;
+  }
+
+
+
+  InterfaceHeat
+  SceneHeat::interface(const std::vector<double> &friction) const
+  {
+    InterfaceHeat           heat;
+    const std::vector<bool> touches = contact.touching();
+    const double            h       = parameters.contact_conductance;
+    heat.friction                   = friction;
+    for (unsigned int q = 0; q < touches.size(); ++q)
+      {
+        const double gap = std::max(0., contact.gaps()[q].gap);
+        heat.x.push_back(contact.positions()[q][0]);
+        // h and the oil's lambda/g in series.
+        const double open = has_oil ?
+                              h * parameters.oil_conductivity /
+                                (parameters.oil_conductivity + h * gap) :
+                              0.;
+        heat.conductance.push_back(touches[q] ? h : open);
+      }
+    return heat;
+  }
+
+
+
+  void
+  SceneHeat::advance(const Vector              &u,
+                     const double               dt,
+                     const std::vector<double> &friction)
+  {
+    const HeatAmounts before  = total;
+    const Vector      plastic = plastic_power(dt);
+    conduction.begin_step(u, dt);
+    Vector power(conduction.rise().size());
+    conduction.add_source(plastic, power);
+    const ThermalContact::Step step =
+      exchange.solve(conduction, dt, power, interface(friction));
+    conduction.accept(step.chip_change);
+    exchange.accept(step);
+    chip_rise = step.chip;
+    tool_rise = step.tool;
+    to_tool   = step.to_tool;
+
+    std::vector<MaterialState> points = chip.history();
+    const Vector               rise   = conduction.rise_at_points();
+    for (unsigned int q = 0; q < points.size(); ++q)
+      {
+        total.plastic += dt * chip.table().JxW[q] * plastic(q);
+        points[q].temperature = start + rise(q);
+      }
+    chip.set_history(points);
+    for (unsigned int q = 0; q < friction.size(); ++q)
+      total.friction += dt * contact.table().JxW[q] * friction[q];
+    total.stored   = conduction.stored();
+    total.depth    = conduction.passed_on();
+    total.tool     = exchange.heat_of_tool();
+    balance_error_ = total.since(before).balance_error();
+  }
+
+
+
+  const HeatAmounts &
+  SceneHeat::amounts() const
+  {
+    return total;
+  }
+
+
+
+  double
+  SceneHeat::balance_error() const
+  {
+    return balance_error_;
+  }
+
+
+
+  namespace
+  {
+    std::vector<double>
+    shifted(std::vector<double> values, const double offset)
+    {
+      for (double &value : values)
+        value += offset;
+      return values;
+    }
+  } // namespace
+
+
+
+  std::vector<double>
+  SceneHeat::chip_temperature() const
+  {
+    return shifted(chip_rise, start);
+  }
+
+
+
+  std::vector<double>
+  SceneHeat::tool_temperature() const
+  {
+    return shifted(tool_rise, start);
+  }
+
+
+
+  const std::vector<double> &
+  SceneHeat::flux_to_tool() const
+  {
+    return to_tool;
+  }
+
+
+
+  double
+  SceneHeat::mean_tool_temperature() const
+  {
+    double                     sum = 0., length = 0.;
+    const std::vector<double> &weights = contact.table().JxW;
+    for (unsigned int q = 0; q < weights.size(); ++q)
+      {
+        sum += weights[q] * tool_rise[q];
+        length += weights[q];
+      }
+    return start + sum / length;
+  }
+
+
+
+  double
+  SceneHeat::flash_temperature() const
+  {
+    return start +
+           std::max(*std::max_element(chip_rise.begin(), chip_rise.end()),
+                    *std::max_element(tool_rise.begin(), tool_rise.end()));
+  }
+
+
+
+  void
+  SceneHeat::save(OutputArchive &archive) const
+  {
+    conduction.save(archive);
+    exchange.save(archive);
+    archive << chip_rise << tool_rise << to_tool << total.plastic
+            << total.friction << balance_error_;
+  }
+
+
+
+  void
+  SceneHeat::load(InputArchive &archive)
+  {
+    conduction.load(archive);
+    exchange.load(archive);
+    archive >> fixed_length(chip_rise, "temperatures of the interface") >>
+      fixed_length(tool_rise, "temperatures of the interface") >>
+      fixed_length(to_tool, "heat fluxes of the interface") >> total.plastic >>
+      total.friction >> balance_error_;
+    total.stored = conduction.stored();
+    total.depth  = conduction.passed_on();
+    total.tool   = exchange.heat_of_tool();
+  }
+} // namespace asperity
