@@ -1,3 +1,4 @@
+#include <asperity/solvers/finite.h>
 #include <asperity/solvers/unsymmetric_part.h>
 
 #include <deal.II/lac/solver_control.h>
@@ -118,6 +119,15 @@ namespace asperity
       {
         return false;
       }
+    // Where the sum is singular GMRES believes in what it does not reach.
+    if (!is_finite(x))
+      return false;
+    Vector residual(x.size());
+    sum(residual, x);
+    residual -= b;
+    if (!is_finite(residual) ||
+        residual.l2_norm() > 100. * tolerance * b.l2_norm())
+      return false;
     b.swap(x);
     return true;
   }

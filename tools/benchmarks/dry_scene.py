@@ -47,8 +47,9 @@ def run(arguments, name, entries, include=None):
         if include is not None:
             out.write(f"include {include}\n")
         for path, value in entries.items():
-            section, key = path.split("/")
-            out.write(f"subsection {section}\n  set {key} = {value}\nend\n")
+            *sections, key = path.split("/")
+            out.write("".join(f"subsection {name}\n" for name in sections))
+            out.write(f"  set {key} = {value}\n" + "end\n" * len(sections))
     done = subprocess.run([arguments.asperity, file], capture_output=True,
                           text=True, check=False)
     if done.returncode != 0:

@@ -1,0 +1,160 @@
+#!/usr/bin/python3
+"""The shear of the interface against a formula, and what it does to mu.
+
+Usage: tools/benchmarks/interface_shear.py [--asperity PROGRAM] [--to FOLDER]
+                                           TASK
+
+  wave   a rigid wedge that slides on a perfectly plastic body and pushes a wave
+         ahead of it, against the formula of Challen and Oxley (1979), for
+         slopes of 5 and 10 degrees and shear factors of 0, 0.3, 0.6, 0.8
+  cases  mu, its shares, contact and cost of the sixteen reference scenes for
+         shear factors of 0, 0.5, 0.8 and 1
+  mesh   mu over mesh and time steps for shear factors of 0.5, 0.8 and 0.99
+
+Tables go to the screen in Markdown, runs into FOLDER (default output/benchmarks).
+Run it on a quiet machine; compare times within one run only.
+"""
+
+import argparse
+import math
+import os
+
+from dry_scene import ROOT, load_case, print_head, run
+
+CASES = [(p, v, T) for p in (300, 1300) for v in (22.5, 200) for T in (25, 675)]
+PERIOD = 10.  # um
+WAVES = range(1, 60, 2)
+YIELD_STRESS = 210.  # MPa
+
+
+def shear(factor):
+    if factor == 0.:
+        return {"Interface/Shear law": "none"}
+    return {"Interface/Shear law": "shear factor",
+            "Interface/Shear factor": factor}
+
+
+def challen_oxley(slope, f):
+    """mu of a wedge of a slope [rad] and the load on the length of its contact
+    over the shear strength k."""
+    eta = math.acos(f)
+    a = (1. + 0.5 * math.pi + eta - 2. * slope -
+         2. * math.asin(math.sin(slope) / math.sqrt(1. - f)))
+    tangential = a * math.sin(slope) + math.cos(eta - slope)
+    normal = a * math.cos(slope) + math.sin(eta - slope)
+    return tangential / normal, normal / math.cos(slope)
+
+
+def wedge(degrees, f, contact_length=1.):
+    """A triangular wave whose load takes a contact of a length [um], on a body
+    that is nearly rigid before it yields."""
+    height = math.tan(math.radians(degrees)) * PERIOD / 2.
+    _, hardness = challen_oxley(math.radians(degrees), f)
+    pressure = (hardness * YIELD_STRESS / math.sqrt(3.) * contact_length /
+                PERIOD)
+    amplitudes = ", ".join(f"{4. * height / (math.pi * k)**2:.8g} um"
+                           for k in WAVES)
+    return {"Tool/Kind": "harmonics",
+            "Tool/Wave numbers": ", ".join(str(k) for k in WAVES),
+            "Tool/Amplitudes": amplitudes,
+            "Tool/Phases": ", ".join("0 rad" for _ in WAVES),
+            "Geometry/Period": f"{PERIOD} um",
+            "Geometry/Initial gap": "0 um",
+            "Material/Adiabatic heating": "false",
+            "Material/Johnson-Cook/A": f"{YIELD_STRESS} MPa",
+            "Material/Johnson-Cook/B": "0 MPa",
+            "Material/Johnson-Cook/C": 0,
+            "Load/Pressure": f"{pressure:.6g} MPa",
+            "Load/Temperature": "20 degC",
+            "Protocol/Inertia": "quasi-static",
+            "Protocol/Friction window": "steady",
+            "Protocol/Steady distance": "0.5 um",
+            "Protocol/Steady step": "10 nm",
+            "Protocol/Steady tolerance": 0.01,
+            "Protocol/Maximum distance": "6 um",
+            **shear(f)}
+
+
+def wave(arguments):
+    print_head("slope [deg] | f | mu after Challen and Oxley | mu | off [%] | "
+               "ploughing | interface shear | contact fraction | way [um] | "
+               "steps | Newton iterations | time [s]")
+    for degrees in (5, 10):
+        for f in (0., 0.3, 0.6, 0.8):
+            exact, _ = challen_oxley(math.radians(degrees), f)
+            summary = run(arguments, f"wave_{degrees}_{f}", wedge(degrees, f))
+            friction, cost = summary["friction"], summary["cost"]
+            print(f"| {degrees} | {f} | {exact:.4f} | {friction['mu']:.4f} | "
+                  f"{100. * (friction['mu'] / exact - 1.):+.1f} | "
+                  f"{friction['ploughing']:.4f} | "
+                  f"{friction['interface_shear']:.4f} | "
+                  f"{summary['contact_fraction']:.4f} | "
+                  f"{summary['end']['sliding_distance'] * 1e6:.2f} | "
+                  f"{cost['steps']} | {cost['newton_iterations']} | "
+                  f"{cost['wall_time']:.0f} |", flush=True)
+
+
+def cases(arguments):
+    print_head("scene | p [MPa] | v [m/min] | T [degC] | m | mu | ploughing | "
+               "interface shear | contact fraction | real contact pressure "
+               "[MPa] | hottest point [degC] | steps | Newton iterations | "
+               "time over that of m = 0")
+    for scene in ("R0", "R1"):
+        for case in CASES:
+            file = os.path.join(ROOT, "parameter_files", "reference_scenes",
+                                "dry_{}_p{}_v{}_T{}.prm".format(scene, *case))
+            reference = None
+            for m in (0., 0.5, 0.8, 1.):
+                summary = run(arguments,
+                              "shear_{}_p{}_v{}_T{}".format(scene, *case) +
+                              f"_m{m}", shear(m), file)
+                friction, cost = summary["friction"], summary["cost"]
+                reference = reference or cost["wall_time"]
+                print("| {} | {} | {} | {} | ".format(scene, *case) +
+                      f"{m} | {friction['mu']:.4f} | "
+                      f"{friction['ploughing']:.4f} | "
+                      f"{friction['interface_shear']:.4f} | "
+                      f"{summary['contact_fraction']:.4f} | "
+                      f"{summary['end']['real_contact_pressure'] * 1e-6:.0f} | "
+                      f"{summary['end']['max_temperature'] - 273.15:.0f} | "
+                      f"{cost['steps']} | {cost['newton_iterations']} | "
+                      f"{cost['wall_time'] / reference:.2f} |", flush=True)
+
+
+def mesh(arguments):
+    print_head("m | settings | mu | interface shear | contact fraction | steps "
+               "| Newton iterations | time [s]")
+    variants = {"default": {},
+                "80 spans": {"Mesh/Spans": 80, "Mesh/Refinement levels": 2},
+                "320 spans": {"Mesh/Spans": 320, "Mesh/Refinement levels": 4},
+                "48 + 192 steps": {"Protocol/Ramp steps": 48,
+                                   "Protocol/Slide steps": 192}}
+    for m in (0.5, 0.8, 0.99):
+        for name, entries in variants.items():
+            summary = run(arguments, f"mesh_{m}_{name.replace(' ', '_')}",
+                          {**load_case(300, 200, 25), **shear(m), **entries})
+            friction, cost = summary["friction"], summary["cost"]
+            print(f"| {m} | {name} | {friction['mu']:.4f} | "
+                  f"{friction['interface_shear']:.4f} | "
+                  f"{summary['contact_fraction']:.4f} | {cost['steps']} | "
+                  f"{cost['newton_iterations']} | {cost['wall_time']:.0f} |",
+                  flush=True)
+
+
+def main():
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("--asperity",
+                        default=os.path.join(ROOT, "build", "asperity"))
+    parser.add_argument("--to",
+                        default=os.path.join(ROOT, "output", "benchmarks"))
+    tasks = {"wave": wave, "cases": cases, "mesh": mesh}
+    parser.add_argument("task", choices=tasks)
+    arguments = parser.parse_args()
+    arguments.to = os.path.abspath(arguments.to)
+    os.makedirs(arguments.to, exist_ok=True)
+    tasks[arguments.task](arguments)
+
+
+if __name__ == "__main__":
+    main()
