@@ -1,4 +1,5 @@
 #include <asperity/flow/fluid_cell.h>
+#include <asperity/solvers/finite.h>
 
 #include <cmath>
 
@@ -57,7 +58,7 @@ namespace asperity
 
 
 
-  void
+  bool
   FluidAssembler::add(const Vector                            &u,
                       const dealii::AffineConstraints<double> &constraints,
                       Vector                                  &R,
@@ -70,12 +71,16 @@ namespace asperity
       {
         reinit(cell, it, u, w);
         integrate(cell, tangent != nullptr);
+        if (!is_finite(cell.R) ||
+            (tangent != nullptr && !std::isfinite(cell.K.frobenius_norm())))
+          return false;
         space.topology().distribute_local_to_global(cell.R, cell.dofs, R);
         for (unsigned int i = 0; i < cell.dofs.size(); ++i)
           scale(cell.dofs[i]) += cell.size(i);
         if (tangent != nullptr)
           constraints.distribute_local_to_global(cell.K, cell.dofs, *tangent);
       }
+    return true;
   }
 
 

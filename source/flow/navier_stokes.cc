@@ -252,7 +252,7 @@ namespace asperity
 
 
 
-  void
+  bool
   NavierStokes::assemble(const Vector                 &u,
                          Vector                       &R,
                          dealii::SparseMatrix<double> *tangent)
@@ -261,7 +261,8 @@ namespace asperity
     scale       = 0.;
     if (tangent != nullptr)
       *tangent = 0.;
-    assembler.add(u, constraints, cell_forces, scale, tangent);
+    if (!assembler.add(u, constraints, cell_forces, scale, tangent))
+      return false;
     outlets.add(u, constraints, cell_forces, scale, tangent);
     R = cell_forces;
     boundary_.add(u, time(), constraints, R, scale, tangent);
@@ -271,6 +272,7 @@ namespace asperity
     for (unsigned int i = space_.n_velocity_dofs(); i < u.size(); ++i)
       scale(i) += std::abs(volume_source(i));
     update_scales();
+    return true;
   }
 
 
@@ -316,9 +318,7 @@ namespace asperity
   bool
   NavierStokes::residual(const Vector &u, Vector &R)
   {
-    assemble(u, R, nullptr);
-    // Too low a pressure has no density.
-    return is_finite(R);
+    return assemble(u, R, nullptr) && is_finite(R);
   }
 
 
@@ -326,9 +326,10 @@ namespace asperity
   bool
   NavierStokes::linearize(const Vector &u, Vector &R)
   {
-    assemble(u, R, &matrix);
-    fill_empty_rows();
     is_factorised = false;
+    if (!assemble(u, R, &matrix))
+      return false;
+    fill_empty_rows();
     return is_finite(R);
   }
 

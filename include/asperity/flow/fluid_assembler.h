@@ -96,8 +96,10 @@ namespace asperity
      * unless tangent is null, its derivative, condensed by `constraints`.
      * @param scale the absolute values of the terms are added to it: the size
      *   that a residual is to be compared with
+     * @return false if a cell has no residual, as oil under too low a pressure,
+     *   which has no density: the sums are then of no use
      */
-    void
+    bool
     add(const Vector                            &u,
         const dealii::AffineConstraints<double> &constraints,
         Vector                                  &R,

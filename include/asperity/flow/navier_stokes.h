@@ -274,7 +274,8 @@ namespace asperity
     double
     norm(const Vector &R) const override;
 
-    void
+    /** @return false if there is no residual at u */
+    bool
     assemble(const Vector &u, Vector &R, dealii::SparseMatrix<double> *tangent);
 
     /** Constraints, prescribed values in u, source of the continuity equation.
