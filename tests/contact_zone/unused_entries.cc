@@ -149,6 +149,7 @@ TEST(UnusedEntries, of_every_subsection_are_used_somewhere)
      {"Lubricant/Temperature law", "Roelands"}},
     {{"Lubrication/Model", "Stokes"},
      {"Lubrication/Sealing gap", "20 nm"},
+     {"Interface/Shear law", "limited Coulomb"},
      {"Lubricant/Pressure law", "Roelands"},
      {"Protocol/Friction window", "steady"},
      {"Contact/Augmentations", "2"},
