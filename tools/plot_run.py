@@ -314,18 +314,15 @@ def draw_history(panels, x, window, table, mean, spread):
         panels[0].legend(loc="best", fontsize=9)
 
 
-SHARES = {"ploughing": "#6a8d73", "interface shear": "#c1553b",
-          "oil shear": "#12355b"}
+SHARES = {"ploughing": "#6a8d73", "interface shear": "#d9a441", "oil shear": "#12355b"}
 
 
 def draw_shares(axes, x, table):
     """What mu consists of, where it is more than ploughing."""
     shares = [name for name in SHARES if np.any(table.get(name, 0.) != 0.)]
-    if len(shares) < 2:
-        return
-    for name in shares:
+    for name in shares if len(shares) > 1 else []:
         axes.plot(x, table[name], color=SHARES[name], lw=1., label=name)
-    axes.legend(loc="best", fontsize=9)
+        axes.legend(loc="best", fontsize=9)
 
 
 def limits_of_mu(table, window, mean):
@@ -341,7 +338,7 @@ def limits_of_mu(table, window, mean):
             min(reference, 1.15 * max(mu.max(), 0.)))
 
 
-def plot_friction(directory, target):
+def plot_friction(directory, _, target):
     table, summary = read_friction(directory), read_summary(directory)
     window, mean, spread = window_of(summary)
     figure, panels = plt.subplots(2, 1, figsize=(8., 6.), sharex=True,
@@ -385,15 +382,13 @@ def main():
             print(*plot_fluid_structure(arguments.directory, arguments.step,
                                         folder, arguments.window), sep="\n")
             return 0
-        topography = os.path.join(folder, "deformed_topography.png")
-        plot_topography(arguments.directory, arguments.step, topography)
-        friction = os.path.join(folder, "friction.png")
-        plot_friction(arguments.directory, friction)
-        print(topography, friction, sep="\n")
+        pictures = {"deformed_topography.png": plot_topography,
+                    "friction.png": plot_friction}
         if os.path.exists(os.path.join(arguments.directory, "oil.pvd")):
-            flow = os.path.join(folder, "oil_flow.png")
-            plot_flow(arguments.directory, arguments.step, flow)
-            print(flow)
+            pictures["oil_flow.png"] = plot_flow
+        for name, plot in pictures.items():
+            plot(arguments.directory, arguments.step, os.path.join(folder, name))
+            print(os.path.join(folder, name))
     except RunError as error:
         print(f"plot_run.py: {error}", file=sys.stderr)
         return 2

@@ -21,7 +21,8 @@ namespace asperity
       std::find(mechanisms.begin(), mechanisms.end(), "interface shear") !=
       mechanisms.end();
     return sentence + (has_shear ?
-                         "." :
+                         "; how much shear the interface bears is an input, "
+                         "not a result." :
                          "; adhesion, the shear of the dry interface, "
                          "is not in it.");
   }

@@ -34,7 +34,9 @@ namespace asperity
                         p.shear_factor,
                         Range::between(0., 1.),
                         "m, the part of the chip's shear strength k that a dry "
-                        "interface bears: 0 slips freely, 1 is a weld.");
+                        "interface bears, however little it presses: 0 slips "
+                        "freely, 1 is a weld. No theory gives m; it is to be "
+                        "calibrated by a measured mu (asperity calibrate).");
       parameters.number("Wet shear factor",
                         p.wet_shear_factor,
                         Range::between(0., 1.),

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "interface_audit.h"
+
 namespace asperity
 {
   namespace
@@ -381,6 +383,7 @@ namespace asperity
     audit_steps(parameters, scene, audit);
     audit_waves(parameters, scene, audit);
     audit_lubricant(parameters, scene, audit);
+    audit_interface(parameters, audit);
     audit_surface(scene.tool_surface, "Tool", audit);
     audit_surface(scene.chip_surface, "Chip", audit);
     return audit;

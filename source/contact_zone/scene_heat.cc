@@ -105,10 +105,8 @@ namespace asperity
         const double gap = std::max(0., contact.gaps()[q].gap);
         heat.x.push_back(contact.positions()[q][0]);
         // h and the oil's lambda/g in series.
-        const double open = has_oil ?
-                              h * parameters.oil_conductivity /
-                                (parameters.oil_conductivity + h * gap) :
-                              0.;
+        const double lambda = has_oil ? parameters.oil_conductivity : 0.;
+        const double open = lambda > 0. ? h * lambda / (lambda + h * gap) : 0.;
         heat.conductance.push_back(touches[q] ? h : open);
       }
     return heat;

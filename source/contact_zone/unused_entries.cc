@@ -55,20 +55,10 @@ namespace asperity
     }
 
     EntryConditions
-    conditions_of_chip()
+    conditions_of_heat()
     {
-      EntryConditions conditions = {
-        {{"Geometry/Period"},
-         "a tool that is not measured",
-         [](const SceneParameters &p) {
-           return p.tool.kind != SurfaceKind::measured;
-         }},
-        {{"Mesh/Strip depth"},
-         "Refinement levels",
-         [](const SceneParameters &p) { return p.mesh.refinement > 0; }},
-        {{"Material/Adiabatic heating",
-          "Material/Heat fraction",
-          "Load/Plastic strain"},
+      return {
+        {{"Material/Adiabatic heating", "Material/Heat fraction"},
          "a Law of plasticity",
          yields},
         {{"Material/Heat capacity"},
@@ -96,7 +86,22 @@ namespace asperity
          "the Heat model conducting and a lubricant",
          [](const SceneParameters &p) {
            return conducts(p) && p.lubrication.model != LubricantModel::none;
+         }}};
+    }
+
+    EntryConditions
+    conditions_of_chip()
+    {
+      EntryConditions conditions = {
+        {{"Geometry/Period"},
+         "a tool that is not measured",
+         [](const SceneParameters &p) {
+           return p.tool.kind != SurfaceKind::measured;
          }},
+        {{"Mesh/Strip depth"},
+         "Refinement levels",
+         [](const SceneParameters &p) { return p.mesh.refinement > 0; }},
+        {{"Load/Plastic strain"}, "a Law of plasticity", yields},
         {{"Load/Temperature"},
          "a Law of the chip that softens or heats itself, or a Temperature law "
          "of the oil",
@@ -112,10 +117,6 @@ namespace asperity
         {{"Contact/Penetration tolerance"},
          "Augmentations",
          [](const SceneParameters &p) { return p.contact.augmentations > 0; }}};
-      const EntryConditions of_interface = conditions_of_interface();
-      conditions.insert(conditions.end(),
-                        of_interface.begin(),
-                        of_interface.end());
       for (const std::string &name : MaterialParameters::law_names())
         conditions.push_back({{"Material/" + name + "/"},
                               "the Law " + name,
@@ -169,6 +170,8 @@ namespace asperity
              {conditions_of_surface("Tool", &SceneParameters::tool),
               conditions_of_surface("Chip surface", &SceneParameters::chip),
               conditions_of_chip(),
+              conditions_of_heat(),
+              conditions_of_interface(),
               conditions_of_run(),
               conditions_of_oil()})
           all.insert(all.end(), list.begin(), list.end());

@@ -109,6 +109,24 @@ TEST(SceneAudit, flat_bodies_have_no_asperities_to_complain_of)
     std::isfinite(number(audit, "heat length over peak-to-valley height")));
 }
 
+TEST(SceneAudit, tells_what_is_left_out_where_the_interface_bears_shear)
+{
+  SceneParameters parameters = coarse_scene();
+  const Scene     scene(parameters);
+  const auto      warned = [&](const std::string &what) {
+    return warns(audit_scene(parameters, scene), what);
+  };
+  EXPECT_FALSE(warned("The heat of friction is left out"));
+  parameters.interface.law          = InterfaceShear::shear_factor;
+  parameters.interface.shear_factor = 0.8;
+  EXPECT_TRUE(warned("The heat of friction is left out"));
+  EXPECT_FALSE(warned("nearly as strong as the chip"));
+  parameters.heat.model             = HeatModel::conducting;
+  parameters.interface.shear_factor = 0.99;
+  EXPECT_FALSE(warned("The heat of friction is left out"));
+  EXPECT_TRUE(warned("With a Shear factor of 0.99 the interface is nearly"));
+}
+
 TEST(SceneAudit, warns_of_waves_and_steps_that_are_too_coarse)
 {
   SceneParameters parameters          = coarse_scene();

@@ -71,6 +71,8 @@ TEST(SceneHeat, stays_where_it_is_done_in_a_chip_that_does_not_conduct)
   parameters.heat.chip_conductivity   = 1e-6;
   parameters.heat.contact_conductance = 0.;
   const CompleteRun insulating(parameters);
+  for (const FrictionRow &row : insulating.rows())
+    ASSERT_TRUE(std::isfinite(row.tool_heat)) << row.step;
   parameters.heat.model = HeatModel::adiabatic;
   const CompleteRun adiabatic(parameters);
   const double      heat = heat_of_points(adiabatic);

@@ -1,0 +1,49 @@
+#include <gtest/gtest.h>
+
+#include "scene_examples.h"
+
+using namespace asperity;
+
+// The uppermost row of material points stands at 40 times two abscissae; a
+// state that is linear between two of them is met exactly, and one that jumps
+// at the ends of the period goes over to its image.
+TEST(SurfaceLayer, is_linear_along_the_edge_and_goes_on_over_the_period)
+{
+  const SceneParameters      parameters = coarse_scene();
+  const Scene                scene(parameters);
+  const BasisTable          &body    = scene.chip->table();
+  std::vector<MaterialState> history = scene.chip->history();
+  for (std::size_t q = 0; q < history.size(); ++q)
+    {
+      history[q].plastic_strain = body.position[q][0] / scene.length;
+      history[q].temperature    = 300. + body.position[q][1] / 1e-6;
+    }
+  const auto  points = scene.surface_layer->at_edge(history);
+  const auto &edge   = scene.contact->table();
+  double      first = scene.length, top = 0.;
+  for (const auto &position : body.position)
+    {
+      first = std::min(first, position[0]);
+      top   = std::max(top, position[1]);
+    }
+  ASSERT_EQ(points.size(), edge.position.size());
+  for (std::size_t q = 0; q < points.size(); ++q)
+    {
+      const double x = edge.position[q][0];
+      EXPECT_NEAR(points[q].temperature, 300. + top / 1e-6, 1e-9);
+      if (x > first && x < scene.length - first)
+        EXPECT_NEAR(points[q].plastic_strain, x / scene.length, 1e-12);
+      else
+        {
+          // From the last point's 1 - first/L to the first point's first/L.
+          const double last = 1. - first / scene.length,
+                       way  = x < first ? x + first : x - scene.length + first;
+          EXPECT_NEAR(points[q].plastic_strain,
+                      last + (first / scene.length - last) * way / (2. * first),
+                      1e-12);
+        }
+    }
+  EXPECT_NEAR(scene.surface_layer->mean_temperature(history),
+              300. + top / 1e-6,
+              1e-9);
+}
