@@ -80,6 +80,8 @@ namespace asperity
         "mu is not steady after the maximal sliding distance of " +
         format_quantity(parameters.protocol.maximum_distance, "um") + ".");
     warn_of_melting(run, parameters, warnings);
+    if (const std::string excess = run.excess_shear(); !excess.empty())
+      warnings.push_back(excess);
     warn_of_oil_shear(run, run.period(), parameters, warnings);
     const LubricantModel model = parameters.lubrication.model;
     const bool           has_residual_film =

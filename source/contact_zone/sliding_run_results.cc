@@ -94,20 +94,25 @@ namespace asperity
 
 
   std::string
-  SlidingRun::remedy_of_coulomb() const
+  SlidingRun::excess_shear() const
   {
-    const double asked = parameters.interface.friction_coefficient *
-                         state_.rows.back().max_contact_pressure;
+    const ShearTraction *shear = scene.contact->shear();
+    if (shear == nullptr || parameters.interface.uses_shear_strength())
+      return "";
     const std::vector<double> k = scene.shear_strength(
       parameters.load.velocity / parameters.interface.shear_layer);
-    const double weakest = *std::min_element(k.begin(), k.end());
-    if (asked < weakest)
+    const std::vector<double> &tau   = shear->at_points();
+    std::size_t                worst = 0;
+    for (std::size_t q = 0; q < k.size(); ++q)
+      if (std::abs(tau[q]) * k[worst] > std::abs(tau[worst]) * k[q])
+        worst = q;
+    if (std::abs(tau[worst]) <= k[worst])
       return "";
-    return " Coulomb's law asks for a shear stress of up to " +
-           format_quantity(asked, "MPa", 3) +
-           ", more than the chip itself bears (from " +
-           format_quantity(weakest, "MPa", 3) +
-           " on): try Interface/Shear law = limited Coulomb.";
+    return "Coulomb's law asks for a shear stress of up to " +
+           format_quantity(std::abs(tau[worst]), "MPa", 3) +
+           " where the chip itself bears " +
+           format_quantity(k[worst], "MPa", 3) +
+           ": try Interface/Shear law = limited Coulomb.";
   }
 
 
@@ -124,8 +129,8 @@ namespace asperity
       sentences +=
         " The viscosity of the oil grows with its pressure, and nothing limits "
         "its shear stress: try Lubricant/Stress limit = circular.";
-    if (parameters.interface.law == InterfaceShear::coulomb)
-      sentences += remedy_of_coulomb();
+    if (const std::string excess = excess_shear(); !excess.empty())
+      sentences += " " + excess;
     const auto   softening = parameters.material.softening();
     const double hottest   = state_.rows.back().max_temperature;
     if (softening &&

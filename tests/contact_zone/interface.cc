@@ -72,6 +72,20 @@ TEST(InterfaceOfScene, the_smaller_of_both_limits_counts)
               1e-8);
 }
 
+TEST(InterfaceOfScene, warns_where_coulomb_asks_for_more_than_the_chip_bears)
+{
+  // 30 MPa on a chip of about 960 MPa.
+  EXPECT_EQ(CompleteRun(flat_scene(InterfaceShear::coulomb)).run.excess_shear(),
+            "");
+  // Spots press with more than k, after which mu_0 > 1 asks for more than k.
+  SceneParameters parameters                = coarse_scene();
+  parameters.interface.law                  = InterfaceShear::coulomb;
+  parameters.interface.friction_coefficient = 1.5;
+  const CompleteRun rough(parameters);
+  EXPECT_NE(rough.run.excess_shear().find("where the chip itself bears"),
+            std::string::npos);
+}
+
 TEST(InterfaceOfScene, shares_of_a_rough_contact_add_up_to_mu)
 {
   SceneParameters parameters        = coarse_scene();

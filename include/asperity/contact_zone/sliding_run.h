@@ -101,6 +101,11 @@ namespace asperity
     double
     oil_temperature() const;
 
+    /** A sentence if the shear of the contact exceeds the strength of the chip
+     *  in the last evaluation, which Coulomb's law does not know; or empty. */
+    std::string
+    excess_shear() const;
+
     const NewtonStatistics &
     newton_statistics() const;
 
@@ -118,10 +123,6 @@ namespace asperity
      *  each after a blank; empty if nothing is known. */
     std::string
     remedies() const;
-
-    /** One of them, for a Coulomb friction beyond the chip's strength. */
-    std::string
-    remedy_of_coulomb() const;
 
     /** Gives the oil of the next step its temperature. */
     void
