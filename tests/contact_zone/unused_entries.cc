@@ -51,8 +51,9 @@ namespace
     {
       parameters.check(declarator);
       parameters.resolve();
+      const CompleteRun   run(parameters);
       std::vector<double> T_x;
-      for (const FrictionRow &row : CompleteRun(parameters).rows())
+      for (const FrictionRow &row : run.rows())
         T_x.push_back(row.T_x);
       return T_x;
     }
