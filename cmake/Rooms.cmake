@@ -59,3 +59,7 @@ endfunction()
 # the friction library, which is never sanitized: this file is not, either.
 set_source_files_properties(${CMAKE_SOURCE_DIR}/source/surrogate/correlation.cc
   PROPERTIES COMPILE_OPTIONS "-O3;-ffast-math;-ffp-contract=fast;-fno-sanitize=all")
+
+# Vector instructions for the inner loops of the solid: sums keep their order.
+set_source_files_properties(${CMAKE_SOURCE_DIR}/source/solid/element_stiffness.cc
+  PROPERTIES COMPILE_OPTIONS "-O3;-ffp-contract=fast")

@@ -128,6 +128,7 @@ namespace
       fs::read_symlink("/proc/self/exe", error).parent_path() /
       "asperity_scenes";
     std::cout.flush();
+    choose_blas_kernels();
     execv(program.c_str(), argv);
     throw ComputationError("The program " + program.string() +
                            " cannot be started (" + std::strerror(errno) +

@@ -15,6 +15,7 @@
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/multithread_info.h>
 #include <deal.II/base/parameter_handler.h>
 
 #include <functional>
@@ -161,6 +162,7 @@ int
 main(int argc, char **argv)
 {
   use_one_thread_per_rank();
+  dealii::MultithreadInfo::set_thread_limit(1);
   dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
   const MpiSession mpi(argc, argv);
   try

@@ -31,6 +31,22 @@ namespace asperity
 
 
 
+  void
+  choose_blas_kernels()
+  {
+#if defined(__x86_64__) && defined(__GNUC__)
+    const bool wide =
+      __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl");
+    if (wide)
+      setenv("OPENBLAS_CORETYPE", "SkylakeX", 0);
+    else if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+      setenv("OPENBLAS_CORETYPE", "Haswell", 0);
+#endif
+  }
+
+
+
   namespace
   {
     /** The rank that a starter of MPI programs has given to this process; null

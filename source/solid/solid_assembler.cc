@@ -12,40 +12,20 @@ namespace asperity
   using dealii::Tensor;
   using Vector = dealii::Vector<double>;
 
-  /** Work space of one element; the functions' index runs fastest, so that the
-   *  innermost loops vectorise. */
+  /** Work space of one element. */
   struct SolidAssembler::Scratch
   {
     void
-    resize(const unsigned int n_functions)
+    start(const unsigned int n, const bool axisymmetric)
     {
-      n = n_functions;
-      dofs.resize(2 * n);
       displacement.resize(2 * n);
       residual.assign(2 * n, 0.);
-      gradient_x.resize(n);
-      gradient_y.resize(n);
-      hoop.resize(n);
-      for (auto &row : columns)
-        row.resize(n);
+      K.start(n, axisymmetric);
     }
 
-    unsigned int n = 0;
-
-    std::vector<unsigned int> dofs;
-    std::vector<double>       displacement, residual;
-    std::vector<double>       gradient_x, gradient_y, hoop;
-
-    /** [2 * component of P + l]: derivative of that component times weight
-     *  with respect to displacement component l of each function. */
-    std::array<std::vector<double>, 10> columns;
-
-    /** Symmetric blocks K_ab, b >= a: [i][l][a * n + b]. */
-    std::array<std::array<std::vector<double>, 2>, 2> block;
-
-    std::vector<double> full; ///< row-major 2n x 2n, interleaved
-
-    MaterialResponse response;
+    std::vector<double> displacement, residual;
+    ElementStiffness    K;
+    MaterialResponse    response;
   };
 
 
@@ -102,6 +82,14 @@ namespace asperity
     , mises(table_.JxW.size(), 0.)
   {
     sort_functions(table_);
+    for (const auto &entry : table_.elements)
+      {
+        const ElementView element(table_, entry);
+        dofs.emplace_back();
+        for (unsigned int a = 0; a < element.n_functions(); ++a)
+          for (unsigned int c = 0; c < 2; ++c)
+            dofs.back().push_back(element.dof(a, c));
+      }
     if (kinematics == Kinematics::axisymmetric)
       for (unsigned int q = 0; q < table_.JxW.size(); ++q)
         table_.JxW[q] *= 2. * dealii::numbers::PI * table_.position[q][0];
@@ -112,96 +100,29 @@ namespace asperity
   void
   SolidAssembler::add_couplings(dealii::DynamicSparsityPattern &pattern) const
   {
-    std::vector<unsigned int> dofs;
-    for (const auto &element : table_.elements)
-      {
-        dofs.clear();
-        for (const unsigned int a : element.functions)
-          {
-            dofs.push_back(displacement_dof(a, 0));
-            dofs.push_back(displacement_dof(a, 1));
-          }
-        std::sort(dofs.begin(), dofs.end());
-        for (const unsigned int row : dofs)
-          pattern.add_entries(row, dofs.begin(), dofs.end(), true);
-      }
+    for (const auto &element_dofs : dofs)
+      for (const unsigned int row : element_dofs)
+        pattern.add_entries(row,
+                            element_dofs.begin(),
+                            element_dofs.end(),
+                            true);
   }
 
 
 
-  namespace
-  {
-    // Row and column of the components of P in plane kinematics.
-    constexpr unsigned int row_of[]    = {0, 0, 1, 1, 2};
-    constexpr unsigned int column_of[] = {0, 1, 0, 1, 2};
-
-
-
-    /** K_ab += w dP/dF : (Grad N_a, Grad N_b), for b >= a. */
-    template <typename ScratchType>
-    void
-    add_tangent(const Tensor<4, 3> &A,
-                const double        weight,
-                const bool          axisymmetric,
-                ScratchType        &s)
-    {
-      const unsigned int n  = s.n;
-      const double      *gx = s.gradient_x.data(), *gy = s.gradient_y.data();
-      for (unsigned int c = 0; c < (axisymmetric ? 5u : 4u); ++c)
-        for (unsigned int l = 0; l < 2; ++l)
-          {
-            const Tensor<2, 3> &by_F = A[row_of[c]][column_of[c]];
-            const double a_x = weight * by_F[l][0], a_y = weight * by_F[l][1];
-            double      *column = s.columns[2 * c + l].data();
-            for (unsigned int b = 0; b < n; ++b)
-              column[b] = a_x * gx[b] + a_y * gy[b];
-            if (axisymmetric && l == 0)
-              for (unsigned int b = 0; b < n; ++b)
-                column[b] += weight * by_F[2][2] * s.hoop[b];
-          }
-      for (unsigned int i = 0; i < 2; ++i)
-        for (unsigned int l = 0; l < 2; ++l)
-          {
-            const double *m_x    = s.columns[2 * (2 * i) + l].data(),
-                         *m_y    = s.columns[2 * (2 * i + 1) + l].data(),
-                         *m_hoop = s.columns[8 + l].data();
-            double *block        = s.block[i][l].data();
-            for (unsigned int a = 0; a < n; ++a)
-              {
-                double      *row  = block + a * n;
-                const double ga_x = gx[a], ga_y = gy[a];
-                for (unsigned int b = 0; b < n; ++b)
-                  row[b] += ga_x * m_x[b] + ga_y * m_y[b];
-                if (axisymmetric && i == 0)
-                  for (unsigned int b = 0; b < n; ++b)
-                    row[b] += s.hoop[a] * m_hoop[b];
-              }
-          }
-    }
-  } // namespace
-
-
-
   bool
-  SolidAssembler::integrate(const BasisTable::Element &entry,
-                            const Vector              &u,
-                            const bool                 with_tangent,
-                            Scratch                   &s)
+  SolidAssembler::integrate(const unsigned int e,
+                            const Vector      &u,
+                            const bool         with_tangent,
+                            Scratch           &s)
   {
-    const bool        axisymmetric = (kinematics == Kinematics::axisymmetric);
-    const ElementView element(table_, entry);
-    s.resize(element.n_functions());
-    const unsigned int n = s.n;
-    for (unsigned int a = 0; a < n; ++a)
-      for (unsigned int c = 0; c < 2; ++c)
-        {
-          s.dofs[2 * a + c]         = element.dof(a, c);
-          s.displacement[2 * a + c] = u(s.dofs[2 * a + c]);
-        }
-    if (with_tangent)
-      for (auto &row : s.block)
-        for (auto &block : row)
-          block.assign(n * n, 0.);
+    const bool         axisymmetric = (kinematics == Kinematics::axisymmetric);
+    const ElementView  element(table_, table_.elements[e]);
+    const unsigned int n = element.n_functions();
+    s.start(n, axisymmetric);
+    for (unsigned int i = 0; i < 2 * n; ++i)
+      s.displacement[i] = u(dofs[e][i]);
+    ElementStiffness::Gradients &grad_N = s.K.gradients();
 
     for (unsigned int q = 0; q < table_.points_per_element; ++q)
       {
@@ -213,16 +134,16 @@ namespace asperity
             const Tensor<1, 2> &gradient = element.gradient(q, a);
             const double        u_x      = s.displacement[2 * a],
                          u_y             = s.displacement[2 * a + 1];
-            s.gradient_x[a]              = gradient[0];
-            s.gradient_y[a]              = gradient[1];
+            grad_N.x[a]                  = gradient[0];
+            grad_N.y[a]                  = gradient[1];
             F[0][0] += u_x * gradient[0];
             F[0][1] += u_x * gradient[1];
             F[1][0] += u_y * gradient[0];
             F[1][1] += u_y * gradient[1];
             if (axisymmetric)
               {
-                s.hoop[a] = element.N(q, a) / table_.position[point][0];
-                F[2][2] += u_x * s.hoop[a];
+                grad_N.hoop[a] = element.N(q, a) / table_.position[point][0];
+                F[2][2] += u_x * grad_N.hoop[a];
               }
           }
         law_->evaluate(F, old_history[point], dt, with_tangent, s.response);
@@ -234,13 +155,13 @@ namespace asperity
         for (unsigned int a = 0; a < n; ++a)
           {
             s.residual[2 * a] +=
-              weight * (P[0][0] * s.gradient_x[a] + P[0][1] * s.gradient_y[a] +
-                        (axisymmetric ? P[2][2] * s.hoop[a] : 0.));
+              weight * (P[0][0] * grad_N.x[a] + P[0][1] * grad_N.y[a] +
+                        P[2][2] * grad_N.hoop[a]);
             s.residual[2 * a + 1] +=
-              weight * (P[1][0] * s.gradient_x[a] + P[1][1] * s.gradient_y[a]);
+              weight * (P[1][0] * grad_N.x[a] + P[1][1] * grad_N.y[a]);
           }
         if (with_tangent)
-          add_tangent(s.response.tangent, weight, axisymmetric, s);
+          s.K.add(s.response.tangent, weight);
       }
     return true;
   }
@@ -253,29 +174,16 @@ namespace asperity
                       dealii::SparseMatrix<double> *tangent)
   {
     Scratch s;
-    for (const auto &element : table_.elements)
+    if (tangent != nullptr)
+      scatter.find(tangent->get_sparsity_pattern(), dofs);
+    for (unsigned int e = 0; e < table_.elements.size(); ++e)
       {
-        if (!integrate(element, u, tangent != nullptr, s))
+        if (!integrate(e, u, tangent != nullptr, s))
           return false;
-        const unsigned int n = s.n;
-        for (unsigned int i = 0; i < 2 * n; ++i)
-          residual(s.dofs[i]) += s.residual[i];
-        if (tangent == nullptr)
-          continue;
-        s.full.resize(4 * n * n);
-        for (unsigned int a = 0; a < n; ++a)
-          for (unsigned int b = 0; b < n; ++b)
-            for (unsigned int i = 0; i < 2; ++i)
-              for (unsigned int l = 0; l < 2; ++l)
-                s.full[(2 * a + i) * 2 * n + 2 * b + l] =
-                  s.block[i][l][a * n + b];
-        for (unsigned int i = 0; i < 2 * n; ++i)
-          tangent->add(s.dofs[i],
-                       2 * n,
-                       s.dofs.data(),
-                       s.full.data() + i * 2 * n,
-                       false,
-                       true);
+        for (unsigned int i = 0; i < dofs[e].size(); ++i)
+          residual(dofs[e][i]) += s.residual[i];
+        if (tangent != nullptr)
+          scatter.add(e, s.K, *tangent);
       }
     return true;
   }

@@ -79,6 +79,37 @@ TEST(SolidAssembler, rigid_motion_gives_no_force)
 
 
 
+TEST(SolidAssembler, stiffness_reaches_matrices_of_any_pattern)
+{
+  const auto                     space = hierarchical_space(2);
+  SolidAssembler                 solid(space,
+                       PatchGeometry::from_map(*space, bent_rectangle),
+                       neo_hooke());
+  const unsigned int             n = 2 * space->n_functions();
+  const Vector                   u = random_vector(n, 1e-2);
+  Vector                         R(n);
+  dealii::DynamicSparsityPattern own(n), full(n);
+  solid.add_couplings(own);
+  for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int j = 0; j < n; ++j)
+      full.add(i, j);
+  dealii::SparsityPattern patterns[2];
+  patterns[0].copy_from(own);
+  patterns[1].copy_from(full);
+  Matrix K[2];
+  // There and back again: what was found for one pattern is not of the other.
+  for (const unsigned int k : {0, 1, 0})
+    {
+      K[k].reinit(patterns[k]);
+      ASSERT_TRUE(solid.add(u, R, &K[k]));
+    }
+  for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int j = 0; j < n; ++j)
+      ASSERT_EQ(K[0].el(i, j), K[1].el(i, j));
+}
+
+
+
 TEST(SolidAssembler, inverted_elements_have_no_force)
 {
   Body         body(hierarchical_space(2), bent_rectangle, neo_hooke());

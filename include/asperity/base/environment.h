@@ -12,6 +12,15 @@ namespace asperity
   void
   use_one_thread_per_rank();
 
+  /**
+   * Tells the programs that this process becomes or starts which kernels
+   * OpenBLAS shall use, by OPENBLAS_CORETYPE, unless it is set: releases older
+   * than a processor take it for one of 2004 otherwise, and a run takes a sixth
+   * longer. Other BLAS libraries do not read the variable.
+   */
+  void
+  choose_blas_kernels();
+
   /** True if a starter of MPI programs (mpirun, srun) has started this
    *  process, which it tells by variables of the environment. */
   bool

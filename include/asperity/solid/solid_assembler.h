@@ -4,6 +4,7 @@
 #include <asperity/constitutive/material_law.h>
 #include <asperity/isogeometric/force_term.h>
 #include <asperity/isogeometric/spline_space.h>
+#include <asperity/solid/element_stiffness.h>
 
 #include <memory>
 #include <vector>
@@ -88,7 +89,7 @@ namespace asperity
     struct Scratch;
 
     bool
-    integrate(const BasisTable::Element    &entry,
+    integrate(const unsigned int            element,
               const dealii::Vector<double> &u,
               const bool                    with_tangent,
               Scratch                      &scratch);
@@ -97,9 +98,14 @@ namespace asperity
     std::shared_ptr<const MaterialLaw> law_;
     Kinematics                         kinematics;
     BasisTable                         table_;
-    double                             dt = 1.;
-    std::vector<MaterialState>         old_history, new_history;
-    std::vector<double>                mises;
+
+    /** Of each element, in growing order: [2 a + component]. */
+    std::vector<std::vector<unsigned int>> dofs;
+    StiffnessScatter                       scatter;
+
+    double                     dt = 1.;
+    std::vector<MaterialState> old_history, new_history;
+    std::vector<double>        mises;
   };
 } // namespace asperity
 
