@@ -16,7 +16,7 @@ namespace asperity
     const InterfaceParameters &interface = parameters.interface;
     if (interface.law == InterfaceShear::none)
       return;
-    if (parameters.heat.model != HeatModel::conducting)
+    if (parameters.heat_model() != HeatModel::conducting)
       audit.warnings.push_back(
         "The heat of friction is left out: with Heat/Model = conducting the "
         "work of the interface's shear warms chip and tool.");

@@ -249,8 +249,12 @@ namespace asperity
   {
     if (heat.model != HeatModel::automatic)
       return heat.model;
-    return material.heats_itself() ? HeatModel::adiabatic :
-                                     HeatModel::isothermal;
+    if (!material.heats_itself())
+      return HeatModel::isothermal;
+    // The heat of friction arises on the surface: without conduction it has
+    // nowhere to go, and the layer that shears would melt by its own heat.
+    return interface.law == InterfaceShear::none ? HeatModel::adiabatic :
+                                                   HeatModel::conducting;
   }
 
 

@@ -119,9 +119,11 @@ TEST(SceneAudit, tells_what_is_left_out_where_the_interface_bears_shear)
   EXPECT_FALSE(warned("The heat of friction is left out"));
   parameters.interface.law          = InterfaceShear::shear_factor;
   parameters.interface.shear_factor = 0.8;
-  EXPECT_TRUE(warned("The heat of friction is left out"));
+  EXPECT_FALSE(warned("The heat of friction is left out"));
   EXPECT_FALSE(warned("nearly as strong as the chip"));
-  parameters.heat.model             = HeatModel::conducting;
+  parameters.heat.model = HeatModel::adiabatic;
+  EXPECT_TRUE(warned("The heat of friction is left out"));
+  parameters.heat.model             = HeatModel::automatic;
   parameters.interface.shear_factor = 0.99;
   EXPECT_FALSE(warned("The heat of friction is left out"));
   EXPECT_TRUE(warned("With a Shear factor of 0.99 the interface is nearly"));

@@ -21,6 +21,7 @@ namespace
     parameters.interface.friction_coefficient = 0.3;
     parameters.interface.shear_factor         = 0.1;
     parameters.solver.tolerance               = 1e-11;
+    parameters.heat.model                     = HeatModel::adiabatic;
     return parameters;
   }
 

@@ -244,3 +244,15 @@ TEST(SceneHeat, isothermal_overrides_the_material)
   EXPECT_NE(mu(by_model), mu(adiabatic));
   EXPECT_EQ(adiabatic.scene.heat, nullptr);
 }
+
+
+
+TEST(SceneHeat, automatic_conducts_where_the_interface_shears)
+{
+  SceneParameters parameters = coarse_scene();
+  EXPECT_EQ(parameters.heat_model(), HeatModel::adiabatic);
+  parameters.interface.law = InterfaceShear::shear_factor;
+  EXPECT_EQ(parameters.heat_model(), HeatModel::conducting);
+  parameters.material.heating.adiabatic = false;
+  EXPECT_EQ(parameters.heat_model(), HeatModel::isothermal);
+}

@@ -12,7 +12,7 @@ namespace asperity
   /** What becomes of the heat of a scene. */
   enum class HeatModel
   {
-    automatic,  ///< as the scene audit says
+    automatic,  ///< conducting where the interface has a shear law
     isothermal, ///< temperatures stay
     adiabatic,  ///< plastic work heats the point where it is done
     conducting  ///< heat spreads in the chip and goes into the tool

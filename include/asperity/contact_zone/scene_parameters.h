@@ -233,8 +233,9 @@ namespace asperity
     void
     resolve();
 
-    /** The heat model with adiabatic or isothermal for `automatic`, as the
-     *  material says. */
+    /** The heat model with another one for `automatic`: isothermal if the
+     *  material says so, conducting if the interface has a shear law, otherwise
+     *  adiabatic. */
     HeatModel
     heat_model() const;
 
