@@ -36,9 +36,9 @@ def load_case(pressure, velocity, temperature):
             "Load/Temperature": f"{temperature} degC"}
 
 
-def run(arguments, name, entries, include=None):
+def run(arguments, name, entries, include=None, may_fail=False):
     """Runs the default scene, or that of a file, with some entries changed;
-    returns its summary."""
+    returns its summary; of a run that may fail and does, None."""
     folder = os.path.join(arguments.to, name)
     os.makedirs(folder, exist_ok=True)
     file = os.path.join(folder, "scene.prm")
@@ -52,8 +52,11 @@ def run(arguments, name, entries, include=None):
             out.write(f"  set {key} = {value}\n" + "end\n" * len(sections))
     done = subprocess.run([arguments.asperity, file], capture_output=True,
                           text=True, check=False)
-    if done.returncode != 0:
+    if done.returncode != 0 and not may_fail:
         sys.exit(f"{name}: {done.stderr.strip()}")
+    if done.returncode != 0:
+        print(f"{name}: {done.stderr.strip()}", file=sys.stderr, flush=True)
+        return None
     with open(os.path.join(folder, "summary.json"), encoding="utf-8") as text:
         return json.load(text)
 

@@ -5,12 +5,13 @@ Usage: tools/benchmarks/experiments.py [--asperity PROGRAM] [--to FOLDER]
            [--shear-factor M] [--wetting W ...]
 
 The shear factor m of the interface is calibrated on one dry point of the cutting
-test of Lee (2025), section 2.1 (blasted rake face), by `asperity characterize`
-and `asperity calibrate`. Everything else is predicted with it: the polished
+test of Lee (2025), section 2.1 (polished rake face; the blasted one wants more
+than m = 1), by `asperity characterize`
+and `asperity calibrate`. Everything else is predicted with it: the blasted
 rake face, the wet cuts at several fillings of the void with oil, and the
 tribometer over its velocity. The table goes to the
 screen in Markdown, measured_and_computed.png into FOLDER (default
-output/experiments). --shear-factor leaves the calibration out. About half an hour of
+output/experiments). --shear-factor leaves the calibration out. About six minutes of
 one core.
 """
 
@@ -65,13 +66,13 @@ def interface(m):
 
 
 def calibrate(arguments):
-    """m with which the dry cut with the blasted rake face has its mu, by the
+    """m with which the dry cut with the polished rake face has its mu, by the
     campaign over m and `asperity calibrate`; 1 if even that is too little."""
     campaign = os.path.join(SCENES, "shear_factor.prm")
     for command in (["characterize", campaign],
                     ["calibrate", "output/experiments/shear_factor",
                      os.path.join(SCENES, "cutting_test.csv"), "--series",
-                     "dry blasted"]):
+                     "dry polished"]):
         done = subprocess.run([arguments.asperity] + command, cwd=ROOT,
                               capture_output=True, text=True, check=False)
         print(done.stdout if command[0] == "calibrate" else "",
