@@ -186,7 +186,13 @@ TEST(SceneAudit, warns_of_a_chip_that_is_a_thin_sheet)
   EXPECT_NEAR(number(audit, "chip height over the length of an asperity"),
               5. / 18.19,
               0.01);
-  EXPECT_TRUE(warns(audit, "Geometry/Chip height"));
+  EXPECT_TRUE(warns(audit, "times as high as its asperities are long"));
+  parameters.geometry.length = 20e-6;
+  EXPECT_TRUE(warns(audit_scene(parameters, Scene(parameters)),
+                    "2.8 times as high as its asperities are long"));
+  parameters.geometry.length = 10e-6;
+  EXPECT_FALSE(warns(audit_scene(parameters, Scene(parameters)),
+                     "times as high as its asperities are long"));
 }
 
 TEST(SceneAudit, a_ramp_shorter_than_ten_transits_needs_inertia)

@@ -151,3 +151,47 @@ TEST(InterfaceOfScene, a_smaller_step_changes_little_though_k_is_of_its_start)
   parameters.protocol.slide_steps *= 2;
   EXPECT_NEAR(CompleteRun(parameters).run.friction().mu, coarse, 0.03 * coarse);
 }
+
+// A cylinder in a perfectly plastic chip, pushed aside until it slips: what
+// touches grows by the plasticity under it. The pressure over k that a flat
+// junction bears beside a shear of f k is, by slip lines (A. P. Green, J. Mech.
+// Phys. Solids 2 (1954) 197-211), 1 + pi/2 + acos f + sqrt(1 - f^2). On this
+// mesh what touches is known to 3 %, and grows once the chip has followed.
+TEST(InterfaceOfScene, junctions_grow_with_their_shear_as_slip_lines_say)
+{
+  SceneParameters parameters;
+  parameters.geometry.initial_gap       = 0.;
+  parameters.tool.wave_numbers          = {1.};
+  parameters.tool.amplitudes            = {0.25e-6};
+  parameters.tool.phases                = {0.};
+  parameters.material.heating.adiabatic = false;
+  parameters.load.pressure              = 90e6;
+  parameters.load.temperature           = 293.15;
+  parameters.protocol.inertia           = Inertia::quasi_static;
+  parameters.protocol.sliding_distance  = 30e-9;
+  parameters.protocol.ramp_fraction     = 0.01;
+  parameters.protocol.ramp_steps        = 12;
+  parameters.protocol.slide_steps       = 6;
+  parameters.interface.law              = InterfaceShear::shear_factor;
+  parameters.interface.shear_factor     = 1.;
+
+  auto &law = parameters.material.constants<JohnsonCookParameters>();
+  law.A     = 210e6;
+  law.B = law.C = 0.;
+  parameters.resolve();
+  const CompleteRun run(parameters);
+  const double      k        = 210e6 / std::sqrt(3.);
+  unsigned int      compared = 0;
+  for (const FrictionRow &row : run.rows())
+    {
+      const double p = parameters.load.pressure / row.contact_fraction / k;
+      const double f = row.interface_shear * p;
+      if (row.sliding_distance < 2e-9 || f > 0.8)
+        continue;
+      ++compared;
+      EXPECT_NEAR(p / (1. + M_PI_2 + std::acos(f) + std::sqrt(1. - f * f)),
+                  1.,
+                  0.12);
+    }
+  EXPECT_GE(compared, 4u);
+}

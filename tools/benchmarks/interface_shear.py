@@ -7,6 +7,8 @@ Usage: tools/benchmarks/interface_shear.py [--asperity PROGRAM] [--to FOLDER]
   wave   a rigid wedge that slides on a perfectly plastic body and pushes a wave
          ahead of it, against the formula of Challen and Oxley (1979), for
          slopes of 5 and 10 degrees and shear factors of 0, 0.3, 0.6, 0.8
+  junction  a cylinder pushed aside on a perfectly plastic chip: the pressure of what
+         touches beside its shear, against the slip lines of Green (1954)
   cases  mu, its shares, contact and cost of the sixteen reference scenes for
          shear factors of 0, 0.5, 0.8 and 1
   mesh   mu over mesh and time steps for shear factors of 0.5, 0.8 and 0.99
@@ -16,6 +18,7 @@ Run it on a quiet machine; compare times within one run only.
 """
 
 import argparse
+import csv
 import math
 import os
 
@@ -94,6 +97,39 @@ def wave(arguments):
                   f"{cost['wall_time']:.0f} |", flush=True)
 
 
+def junction(arguments):
+    strength = YIELD_STRESS / math.sqrt(3.)
+    pressure = 90.
+    run(arguments, "junction", {
+        "Tool/Kind": "harmonics", "Tool/Wave numbers": "1",
+        "Tool/Amplitudes": "0.25 um", "Tool/Phases": "0 rad",
+        "Geometry/Period": f"{PERIOD} um", "Geometry/Initial gap": "0 um",
+        "Mesh/Spans": 320, "Mesh/Refinement levels": 4,
+        "Material/Adiabatic heating": "false",
+        "Material/Johnson-Cook/A": f"{YIELD_STRESS} MPa",
+        "Material/Johnson-Cook/B": "0 MPa", "Material/Johnson-Cook/C": 0,
+        "Load/Pressure": f"{pressure} MPa", "Load/Temperature": "20 degC",
+        "Protocol/Inertia": "quasi-static",
+        "Protocol/Sliding distance": "60 nm",
+        "Protocol/Ramp fraction": 0.005, "Protocol/Ramp steps": 12,
+        "Protocol/Slide steps": 12, **shear(1.)})
+    print_head("way [nm] | shear f over k | pressure over k | after Green | "
+               "off [%] | alpha of Tabor")
+    head = 2. + math.pi
+    with open(os.path.join(arguments.to, "junction", "friction.csv"),
+              encoding="utf-8") as file:
+        for row in csv.DictReader(file):
+            way = float(row["sliding distance [m]"]) * 1e9
+            if way < 2.:
+                continue
+            p = pressure / float(row["contact fraction [-]"]) / strength
+            f = min(1., p * float(row["interface shear [-]"]))
+            exact = 1. + math.pi / 2. + math.acos(f) + math.sqrt(1. - f * f)
+            print(f"| {way:.0f} | {f:.3f} | {p:.3f} | {exact:.3f} | "
+                  f"{100. * (p / exact - 1.):+.1f} | "
+                  f"{(head**2 - p**2) / f**2:.1f} |", flush=True)
+
+
 def cases(arguments):
     print_head("scene | p [MPa] | v [m/min] | T [degC] | m | mu | ploughing | "
                "interface shear | contact fraction | real contact pressure "
@@ -152,7 +188,7 @@ def main():
                         default=os.path.join(ROOT, "build", "asperity"))
     parser.add_argument("--to",
                         default=os.path.join(ROOT, "output", "benchmarks"))
-    tasks = {"wave": wave, "cases": cases, "mesh": mesh}
+    tasks = {"wave": wave, "junction": junction, "cases": cases, "mesh": mesh}
     parser.add_argument("task", choices=tasks)
     arguments = parser.parse_args()
     arguments.to = os.path.abspath(arguments.to)
