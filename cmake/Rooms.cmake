@@ -62,4 +62,4 @@ set_source_files_properties(${CMAKE_SOURCE_DIR}/source/surrogate/correlation.cc
 
 # Vector instructions for the inner loops of the solid: sums keep their order.
 set_source_files_properties(${CMAKE_SOURCE_DIR}/source/solid/element_stiffness.cc
-  PROPERTIES COMPILE_OPTIONS "-O3;-ffp-contract=fast")
+  PROPERTIES COMPILE_OPTIONS "-ffp-contract=fast")
