@@ -60,3 +60,23 @@ TEST(MpiSession, takes_its_settings_back_and_keeps_those_of_the_user)
   unsetenv("OMPI_MCA_pml");
   EXPECT_THROW(MpiSession::start(), ComputationError) << "no session";
 }
+
+TEST(Environment, leaves_a_choice_of_blas_kernels_alone)
+{
+  const char *const variable = "OPENBLAS_CORETYPE";
+  const char *const before   = std::getenv(variable);
+  const std::string saved    = before != nullptr ? before : "";
+  setenv(variable, "Prescott", 1);
+  choose_blas_kernels();
+  EXPECT_STREQ(std::getenv(variable), "Prescott");
+  unsetenv(variable);
+  choose_blas_kernels();
+  if (const char *const chosen = std::getenv(variable))
+    {
+      EXPECT_TRUE(std::string(chosen) == "SkylakeX" ||
+                  std::string(chosen) == "Haswell");
+    }
+  unsetenv(variable);
+  if (before != nullptr)
+    setenv(variable, saved.c_str(), 1);
+}
