@@ -87,9 +87,7 @@ namespace asperity
                                          const Point         &x,
                                          const Stabilisation &s) const
   {
-    const double rho       = model_.density;
-    const double eta       = x.eta.value;
-    const auto  &N         = cell.N;
+    const double rho = model_.density, eta = x.eta.value;
     const auto  &g         = cell.g;
     const auto  &I         = cell.index;
     const double tau_3     = s.tau * s.tau * s.tau;
@@ -121,14 +119,14 @@ namespace asperity
           {
             const double d_eta = x.eta.d_rate * d_rate[j];
             Tensor<1, 2> dc, dr = d_eta * s.viscous;
-            dc[j] = model_.convection ? N[b] : 0.;
+            dc[j] = model_.convection ? cell.N[b] : 0.;
             for (unsigned int i = 0; i < dim; ++i)
               dr[i] += rho * x.grad_v[i][j] * dc[j] - eta * cell.H[b][i][j];
-            dr[j] +=
-              rho * (rate.now * N[b] + x.c * g[b]) - eta * trace(cell.H[b]);
+            dr[j] += rho * (rate.now * cell.N[b] + x.c * g[b]) -
+                     eta * trace(cell.H[b]);
             const double d_tau =
               -tau_3 * rho * rho * (s.Gc * dc) + d_tau_eta * d_eta;
-            const double d_e = g[b][j] + N[b] * x.grad_r[j] / x.r;
+            const double d_e = g[b][j] + cell.N[b] * x.grad_r[j] / x.r;
             add_column(I[j][b], dr, d_tau, d_e, dc);
           }
       }

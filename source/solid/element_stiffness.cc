@@ -1,14 +1,5 @@
+#include <asperity/base/vector_widths.h>
 #include <asperity/solid/element_stiffness.h>
-
-// One version of the loops for every width of vector registers, chosen when the
-// program is loaded. Sanitizers start too late for that choice.
-#if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && \
-  !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
-#  define ASPERITY_ALL_VECTOR_WIDTHS \
-    __attribute__((target_clones("avx512f", "arch=haswell", "default")))
-#else
-#  define ASPERITY_ALL_VECTOR_WIDTHS
-#endif
 
 namespace asperity
 {

@@ -1,19 +1,11 @@
 #include "correlation.h"
 
+#include <asperity/base/vector_widths.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "kernel_formulas.h"
-
-// One version of each loop for every width of vector registers, chosen when the
-// program is loaded. Sanitizers start too late for that choice.
-#if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && \
-  !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
-#  define ASPERITY_ALL_VECTOR_WIDTHS \
-    __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#  define ASPERITY_ALL_VECTOR_WIDTHS
-#endif
 
 namespace asperity
 {

@@ -6,13 +6,12 @@ Usage: tools/benchmarks/experiments.py [--asperity PROGRAM] [--to FOLDER]
 
 The shear factor m of the interface is calibrated on one dry point of the cutting
 test of Lee (2025), section 2.1 (polished rake face; the blasted one wants more
-than m = 1), by `asperity characterize`
-and `asperity calibrate`. Everything else is predicted with it: the blasted
-rake face, the wet cuts at several fillings of the void with oil, and the
-tribometer over its velocity. The table goes to the
+than m = 1), by `asperity characterize` and `asperity calibrate`. Everything else
+is predicted with it: the blasted rake face, the wet cuts at several fillings of
+the void with oil, and the tribometer over its velocity. The table goes to the
 screen in Markdown, measured_and_computed.png into FOLDER (default
-output/experiments). --shear-factor leaves the calibration out. About six minutes of
-one core.
+output/experiments). --shear-factor leaves the calibration out. About six minutes
+of one core.
 """
 
 import argparse

@@ -1,0 +1,17 @@
+#ifndef asperity_base_vector_widths_h
+#define asperity_base_vector_widths_h
+
+/**
+ * Before a function: one version of it for every width of vector registers,
+ * chosen when the program is loaded, since a package for all processors is
+ * compiled for the oldest. Sanitizers start too late for that choice.
+ */
+#if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && \
+  !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+#  define ASPERITY_ALL_VECTOR_WIDTHS \
+    __attribute__((target_clones("avx512f", "arch=haswell", "default")))
+#else
+#  define ASPERITY_ALL_VECTOR_WIDTHS
+#endif
+
+#endif
