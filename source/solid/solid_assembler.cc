@@ -146,6 +146,7 @@ namespace asperity
                 F[2][2] += u_x * grad_N.hoop[a];
               }
           }
+        s.response.state = new_history[point];
         law_->evaluate(F, old_history[point], dt, with_tangent, s.response);
         if (s.response.status != LawStatus::ok)
           return false;

@@ -242,3 +242,33 @@ TEST(ReturnMap, needs_few_evaluations_of_the_flow_stress)
   EXPECT_LE(worst, 15);
   EXPECT_LE(total, 6 * n);
 }
+
+
+
+TEST(ReturnMap, starts_from_a_guess_and_finds_the_same_root)
+{
+  const JohnsonCook flow{JohnsonCookParameters()};
+  const double      three_mu = 3. * ElasticParameters().shear_modulus();
+  const double      nan      = std::numeric_limits<double>::quiet_NaN();
+  for (const double increment : {1e-5, 1e-3, 0.1})
+    {
+      const double  static_stress = flow.static_value(0.01, 400.);
+      ReturnProblem problem{static_stress + three_mu * increment,
+                            three_mu,
+                            0.01,
+                            400.,
+                            1e5 / increment,
+                            heating};
+      const double  root = solve_return(flow, problem, static_stress).increment;
+      for (const double guess :
+           {root, 1.1 * root, 0.01 * root, 1e3, 1e-300, -1., nan})
+        {
+          problem.guess = guess;
+          const ReturnSolution solution =
+            solve_return(flow, problem, static_stress);
+          ASSERT_TRUE(solution.found);
+          EXPECT_NEAR(solution.increment, root, 1e-11 * root) << guess;
+          EXPECT_TRUE(guess != root || solution.evaluations == 1);
+        }
+    }
+}

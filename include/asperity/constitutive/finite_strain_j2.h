@@ -102,10 +102,11 @@ namespace asperity
                                  const bool                  with_tangent,
                                  MaterialResponse           &response) const
   {
-    const auto t     = hencky::trial_strain(F, old.Cp_inverse);
-    response.plastic = false;
-    response.state   = old;
-    response.status  = t.valid ? LawStatus::ok : LawStatus::inverted;
+    const double guess = response.state.plastic_strain - old.plastic_strain;
+    const auto   t     = hencky::trial_strain(F, old.Cp_inverse);
+    response.plastic   = false;
+    response.state     = old;
+    response.status    = t.valid ? LawStatus::ok : LawStatus::inverted;
     if (!t.valid)
       return;
 
@@ -128,7 +129,8 @@ namespace asperity
                                      old.plastic_strain,
                                      old.temperature,
                                      (dt > 0.) ? 1. / dt : 0.,
-                                     heating_coefficient},
+                                     heating_coefficient,
+                                     guess},
                        static_flow_stress);
         if (!solution.found)
           {

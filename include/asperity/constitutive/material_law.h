@@ -74,6 +74,9 @@ namespace asperity
      * @param old state at the start of the step
      * @param dt length of the step [s]; rates are differences over dt
      * @param with_tangent whether response.tangent is wanted
+     * @param response its state is read first: the end of the step as found
+     *   last, where iterations may start. It changes the answer within their
+     *   tolerance alone.
      */
     virtual void
     evaluate(const dealii::Tensor<2, 3> &F,

@@ -18,6 +18,7 @@ namespace asperity
     double temperature;         ///< at the start of the step [K]
     double inverse_dt;          ///< 1/dt [1/s], 0 for a static step
     double heating_coefficient; ///< chi/(rho c_p) [K/Pa]
+    double guess = 0.; ///< of the root; what is impossible counts as none
   };
 
   /** The root of the scalar return. */
@@ -149,13 +150,16 @@ namespace asperity
     constexpr double epsilon          = std::numeric_limits<double>::epsilon();
     constexpr int    max_evaluations  = 200;
     constexpr double smallest_g_ratio = 1e-3;
+    constexpr double smallest_guess   = 1e-12; // less than round-off of eps_n
     // A step this short in ln g is taken to first order without another
     // evaluation: what it leaves in the stress is its square.
     constexpr double last_step = 1e-6;
 
     double lower = 0.;
     double upper = p.trial_stress / p.three_mu;
-    double g     = (p.trial_stress - static_flow_stress) / p.three_mu;
+    double g     = p.guess;
+    if (!(g > smallest_guess * upper && g < upper))
+      g = (p.trial_stress - static_flow_stress) / p.three_mu;
     for (int evaluation = 1; evaluation <= max_evaluations; ++evaluation)
       {
         const ReturnResidual R         = return_residual(flow_stress, p, g);
