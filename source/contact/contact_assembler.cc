@@ -21,6 +21,7 @@ namespace asperity
     , obstacle(std::move(obstacle))
     , options_(options)
     , law{options.penalty}
+    , outward(edge == Edge::bottom || edge == Edge::right ? 1. : -1.)
     , table_(tabulate_edge(*this->space,
                            geometry,
                            edge,
@@ -221,6 +222,30 @@ namespace asperity
   {
     AssertDimension(hints.size(), hint.size());
     hint = hints;
+  }
+
+
+
+  std::vector<double>
+  ContactAssembler::stretch(const Vector &u) const
+  {
+    std::vector<double> result(table_.JxW.size());
+    for (const auto &entry : table_.elements)
+      {
+        const ElementView element(table_, entry);
+        for (unsigned int q = 0; q < table_.points_per_element; ++q)
+          {
+            const unsigned int point = element.point(q);
+            // Before deformation the unit tangent, a turn of the normal.
+            const Tensor<1, 2> &normal = table_.normal[point];
+            Tensor<1, 2>        t;
+            t[0] = -outward * normal[1];
+            t[1] = outward * normal[0];
+            element.add_stretch(q, u, t);
+            result[point] = t.norm();
+          }
+      }
+    return result;
   }
 
 

@@ -129,9 +129,14 @@ namespace asperity
     step_pressure = protocol_.pressure(state_.time + dt);
     load *= step_pressure;
     step.begin(dt, load);
+    std::optional<Vector> tried;
     for (const Predictor &predict : predictors(dt))
       {
         Vector u = predict();
+        // In touch, a translation is one already.
+        if (tried && u == *tried)
+          continue;
+        tried = u;
         for (const auto &line : scene.constraints().get_lines())
           u(line.index) = protocol_.displacement(state_.time + dt);
         const ConvergenceReport report =
@@ -273,6 +278,8 @@ namespace asperity
         }
       return force >= pressure * scene.length;
     };
+    if (supports(0.))
+      return 0.;
     double low = 0., high = 1e-3 * scene.length;
     while (!supports(high) && high < 1e3 * scene.length)
       high *= 2.;

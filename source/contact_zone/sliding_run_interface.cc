@@ -37,12 +37,23 @@ namespace asperity
       last.void_volume > 0. ?
               std::clamp(last.oil_volume / last.void_volume, 0., 1.) :
               0.;
-    std::vector<double> k =
-      parameters.interface.uses_shear_strength() ?
-        scene.shear_strength(parameters.load.velocity /
-                             parameters.interface.shear_layer) :
-        std::vector<double>(scene.contact->pressure().size(), 0.);
+    std::vector<double> k(scene.contact->pressure().size(), 0.);
+    if (parameters.interface.uses_shear_strength())
+      k = shear_strength();
     shear->set_interface(k, std::vector<double>(k.size(), wet));
+  }
+
+
+
+  std::vector<double>
+  SlidingRun::shear_strength() const
+  {
+    std::vector<double> k = scene.shear_strength(
+      parameters.load.velocity / parameters.interface.shear_layer);
+    const std::vector<double> stretch = scene.contact->stretch(state_.u);
+    for (unsigned int q = 0; q < k.size(); ++q)
+      k[q] *= stretch[q];
+    return k;
   }
 
 

@@ -99,8 +99,7 @@ namespace asperity
     const ShearTraction *shear = scene.contact->shear();
     if (shear == nullptr || parameters.interface.uses_shear_strength())
       return "";
-    const std::vector<double> k = scene.shear_strength(
-      parameters.load.velocity / parameters.interface.shear_layer);
+    const std::vector<double>  k     = shear_strength();
     const std::vector<double> &tau   = shear->at_points();
     std::size_t                worst = 0;
     for (std::size_t q = 0; q < k.size(); ++q)

@@ -31,8 +31,9 @@ namespace asperity
     /** Thickness of the layer of the chip that shears [m]. */
     double shear_layer = 1e-6;
 
-    /** epsilon_t over the penalty epsilon of the pressure. */
-    double stick_penalty = 1.;
+    /** epsilon_t over the penalty epsilon of the pressure. Stiffer than this,
+     *  Newton's method chatters between slip in either direction. */
+    double stick_penalty = 0.03;
 
     /** Gap over which the shear of a spot ends, over the length of an element.
      */
@@ -51,7 +52,7 @@ namespace asperity
   struct InterfaceState
   {
     double pressure = 0.; ///< p, not negative [Pa]
-    double k        = 0.; ///< shear stress at which the chip flows [Pa]
+    double k        = 0.; ///< shear strength, counted as the pressure is [Pa]
     double touching = 1.; ///< part of it that touches, 0 to 1
     double wet      = 0.; ///< part of it that oil covers, 0 to 1
   };

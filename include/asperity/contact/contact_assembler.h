@@ -128,6 +128,10 @@ namespace asperity
     const std::vector<dealii::Point<2>> &
     positions() const;
 
+    /** Current over reference length of the edge at each point. */
+    std::vector<double>
+    stretch(const dealii::Vector<double> &u) const;
+
     /** Which of the points touch, as the contact fraction counts them. */
     std::vector<bool>
     touching() const;
@@ -164,6 +168,7 @@ namespace asperity
     std::shared_ptr<const RigidObstacle> obstacle;
     ContactOptions                       options_;
     ContactPressureLaw                   law;
+    double                               outward; ///< as tabulate_edge() counts
     BasisTable                           table_;
     TractionSpace                        tractions;
     std::optional<ShearTraction>         shear_;

@@ -68,8 +68,9 @@ namespace asperity
     add_stiffness(dealii::SparseMatrix<double> &symmetric,
                   dealii::SparseMatrix<double> &rest) const;
 
-    /** Shear strength k of the body [Pa] and part that oil covers, per point,
-     *  of the next evaluations. */
+    /** Shear strength of the body per reference length, k times the stretch of
+     *  the edge [Pa], and part that oil covers, per point, of the next
+     *  evaluations. */
     void
     set_interface(const std::vector<double> &k, const std::vector<double> &wet);
 

@@ -169,6 +169,11 @@ namespace asperity
     void
     record_heat(FrictionRow &row) const;
 
+    /** k of the chip at the points of the contact, at the start of the step and
+     *  as its tractions per reference length of the edge [Pa]. */
+    std::vector<double>
+    shear_strength() const;
+
     /** Of the step that is being accepted, of length dt [s], at the points of
      *  the contact and per reference length [W/m^2]. */
     std::vector<double>
