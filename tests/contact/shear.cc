@@ -36,6 +36,7 @@ namespace
     ContactOptions options;
     options.formulation                    = interface.formulation;
     options.penalty                        = penalty;
+    options.interface.stick_penalty        = 1.;
     options.interface.law                  = interface.law;
     options.interface.friction_coefficient = 0.3;
     options.interface.shear_factor         = 0.5;
@@ -296,6 +297,7 @@ namespace
     discretization.poisson_ratio                  = 0.49; // uncoupled at 1/2
     discretization.interface.law                  = InterfaceShear::coulomb;
     discretization.interface.friction_coefficient = 0.2;
+    discretization.interface.stick_penalty        = 1.; // what sticks is rigid
     example::HalfPlane body  = example::hertz(discretization);
     const double       depth = body.problem->press(body.force, body.depth);
     ASSERT_TRUE(std::isfinite(depth)) << body.problem->last.reason;
