@@ -205,6 +205,11 @@ namespace asperity
   std::string
   GapFlow::overfilled() const
   {
+    bool all_full = true;
+    for (unsigned int k = 0; k < pockets_->n_pockets(); ++k)
+      all_full = all_full && pockets_->is_full(k);
+    if (all_full)
+      return "";
     const std::vector<double> oil = pockets_->oil(), voids = column_voids();
     std::vector<double>       room(oil.size());
     for (unsigned int k = 0; k < voids.size(); ++k)

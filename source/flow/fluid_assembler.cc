@@ -10,9 +10,6 @@ namespace asperity
   namespace
   {
     constexpr unsigned int dim = 2;
-
-    const dealii::FEValuesExtractors::Vector velocity_field(0);
-    const dealii::FEValuesExtractors::Scalar pressure_field(2);
   } // namespace
 
 
@@ -22,10 +19,15 @@ namespace asperity
                                  const FluidModel &model)
     : space(space)
     , mesh(mesh)
+    , shapes(std::make_unique<Shapes>(space))
     , model_(model)
     , viscosity(model.viscosity)
     , history(space.dofs().n_dofs())
   {}
+
+
+
+  FluidAssembler::~FluidAssembler() = default;
 
 
 
@@ -65,7 +67,7 @@ namespace asperity
                       Vector                                  &scale,
                       dealii::SparseMatrix<double>            *tangent) const
   {
-    Cell         cell(space, mesh, model_.is_compressible());
+    Cell         cell(space, *shapes);
     const Vector w = mesh.velocity();
     for (const auto &it : space.cells())
       {
@@ -86,34 +88,25 @@ namespace asperity
 
 
   void
-  FluidAssembler::reinit(Cell &cell,
-                         const dealii::DoFHandler<2>::active_cell_iterator &it,
-                         const Vector                                      &u,
-                         const Vector &w) const
+  FluidAssembler::reinit(Cell                   &cell,
+                         const FluidSpace::Cell &it,
+                         const Vector           &u,
+                         const Vector           &w) const
   {
-    cell.flow.reinit(it);
-    cell.geometry.reinit(space.geometry_cell(it));
-    it->get_dof_indices(cell.dofs);
-    cell.flow[velocity_field].get_function_values(u, cell.v);
-    cell.flow[velocity_field].get_function_gradients(u, cell.grad_v);
-    cell.flow[velocity_field].get_function_values(history, cell.rate);
-    cell.flow[pressure_field].get_function_values(u, cell.p);
-    cell.geometry[velocity_field].get_function_values(w, cell.w);
-    if (cell.stabilised)
+    cell.unknowns.reinit(it);
+    cell.mesh_unknowns.reinit(space.geometry_cell(it));
+    cell.unknowns.extract(u, cell.v);
+    cell.unknowns.extract(u, dim, cell.p);
+    cell.unknowns.extract(history, cell.history);
+    cell.mesh_unknowns.extract(mesh.positions(), cell.x);
+    cell.mesh_unknowns.extract(w, cell.w);
+    if (model_.is_compressible())
       {
-        cell.flow[pressure_field].get_function_gradients(u, cell.grad_p);
-        cell.flow[velocity_field].get_function_hessians(
-          u, cell.second_derivatives);
-      }
-    if (cell.is_compressible)
-      {
-        cell.geometry[velocity_field].get_function_divergences(w, cell.div_w);
-        cell.flow[pressure_field].get_function_values(history, cell.r_history);
+        cell.unknowns.extract(history, dim, cell.r_history);
         for (unsigned int k = 0; k < cell.n_pressure; ++k)
           {
-            const double p = u(cell.dofs[cell.index[dim][k]]);
-            cell.r[k]      = model_.compressibility.ratio(p);
-            cell.dr[k]     = model_.compressibility.derivative(p);
+            cell.r[k]  = model_.compressibility.ratio(cell.p[k]);
+            cell.dr[k] = model_.compressibility.derivative(cell.p[k]);
           }
       }
   }
@@ -125,16 +118,17 @@ namespace asperity
   {
     cell.R    = 0.;
     cell.size = 0.;
-    cell.K    = 0.;
-    for (unsigned int q = 0; q < cell.quadrature.size(); ++q)
+    if (with_tangent)
+      cell.K = 0.;
+    for (unsigned int q = 0; q < shapes->quadrature.size(); ++q)
       {
         const Point x = evaluate(cell, q);
         add_size(cell, x);
         galerkin(cell, x, with_tangent);
-        if (with_tangent && cell.is_compressible)
+        if (with_tangent && model_.is_compressible())
           add_compression_tangent(cell, x);
-        if (cell.stabilised)
-          stabilise(cell, x, with_tangent);
+        if (shapes->is_stabilised)
+          stabilise(cell, x, q, with_tangent);
       }
   }
 
@@ -144,25 +138,50 @@ namespace asperity
   FluidAssembler::evaluate(Cell &cell, const unsigned int q) const
   {
     Point x;
-    x.q      = q;
-    x.JxW    = cell.flow.JxW(q);
-    x.grad_v = cell.grad_v[q];
+    set_functions(cell, x, q);
+    for (unsigned int a = 0; a < cell.n_velocity; ++a)
+      {
+        x.v += cell.N[a] * cell.v[a];
+        x.history += cell.N[a] * cell.history[a];
+        for (unsigned int i = 0; i < dim; ++i)
+          x.grad_v[i] += cell.v[a][i] * cell.g[a];
+      }
+    x.w      = shapes->geometry.value(q, cell.w);
+    x.p      = shapes->pressure.value(q, cell.p);
     x.D      = 0.5 * (x.grad_v + transpose(x.grad_v));
     x.div_v  = trace(x.grad_v);
     x.excess = x.div_v;
-    x.p      = cell.p[q];
     x.rate   = std::sqrt(2. * scalar_product(x.D, x.D));
     x.eta    = viscosity.evaluate(x.rate, x.p);
     // dv/dt at fixed X always sees the mesh move past the fluid; only the
     // transport of v by itself is what Stokes flow leaves away.
-    x.c = (model_.convection ? cell.v[q] : Tensor<1, 2>()) - cell.w[q];
-    x.acceleration = rate.now * cell.v[q] + cell.rate[q] + x.grad_v * x.c;
+    x.c            = (model_.convection ? x.v : Tensor<1, 2>()) - x.w;
+    x.acceleration = rate.now * x.v + x.history + x.grad_v * x.c;
     if (model_.body_force)
-      x.acceleration -= model_.body_force(cell.flow.quadrature_point(q), time);
-    cell.load(q);
-    if (cell.is_compressible)
-      set_compression(cell, x);
+      x.acceleration -=
+        model_.body_force(dealii::Point<2>(shapes->geometry.value(q, cell.x)),
+                          time);
+    if (model_.is_compressible())
+      set_compression(cell, x, q);
     return x;
+  }
+
+
+
+  void
+  FluidAssembler::set_functions(Cell              &cell,
+                                Point             &x,
+                                const unsigned int q) const
+  {
+    const Tensor<2, 2> J = shapes->geometry.gradient(q, cell.x);
+    x.JxW                = determinant(J) * shapes->quadrature.weight(q);
+    x.inverse_jacobian   = invert(J);
+    cell.N               = shapes->velocity.values(q);
+    cell.M               = shapes->pressure.values(q);
+    for (unsigned int a = 0; a < cell.n_velocity; ++a)
+      cell.g[a] = shapes->velocity.gradients(q)[a] * x.inverse_jacobian;
+    for (unsigned int k = 0; k < cell.n_pressure; ++k)
+      cell.m[k] = shapes->pressure.gradients(q)[k] * x.inverse_jacobian;
   }
 
 
@@ -172,13 +191,16 @@ namespace asperity
   {
     const double grad_v = x.grad_v.norm();
     const double inertia =
-      model_.density * (rate.now * cell.v[x.q].norm() + cell.rate[x.q].norm() +
+      model_.density * (rate.now * x.v.norm() + x.history.norm() +
                         x.c.norm() * grad_v + x.acceleration.norm());
     const double stress = x.eta.value * grad_v + std::abs(x.p);
     for (unsigned int a = 0; a < cell.n_velocity; ++a)
-      for (unsigned int i = 0; i < dim; ++i)
-        cell.size(cell.index[i][a]) +=
+      {
+        const double size =
           (inertia * std::abs(cell.N[a]) + stress * cell.g[a].norm()) * x.JxW;
+        for (unsigned int i = 0; i < dim; ++i)
+          cell.size(cell.index[i][a]) += size;
+      }
     for (unsigned int k = 0; k < cell.n_pressure; ++k)
       cell.size(cell.index[dim][k]) +=
         (grad_v + std::abs(x.r_dot)) * std::abs(cell.M[k]) * x.JxW;
@@ -191,21 +213,20 @@ namespace asperity
                            const Point &x,
                            const bool   with_tangent) const
   {
-    const double       rho   = model_.density;
-    const auto        &N     = cell.N;
-    const auto        &g     = cell.g;
-    const auto        &M     = cell.M;
-    const auto        &I     = cell.index;
-    const double       eta   = x.eta.value;
-    const Tensor<2, 2> two_D = 2. * x.D;
+    const double       rho     = model_.density;
+    const auto        &N       = cell.N;
+    const auto        &g       = cell.g;
+    const auto        &M       = cell.M;
+    const auto        &I       = cell.index;
+    const double       eta     = x.eta.value;
+    const Tensor<2, 2> two_D   = 2. * x.D;
+    const Tensor<1, 2> inertia = rho * x.JxW * x.acceleration;
+    Tensor<2, 2>       stress  = eta * x.JxW * two_D;
+    for (unsigned int i = 0; i < dim; ++i)
+      stress[i][i] -= x.p * x.JxW;
     for (unsigned int a = 0; a < cell.n_velocity; ++a)
-      {
-        const Tensor<1, 2> D_g = two_D * g[a];
-        for (unsigned int i = 0; i < dim; ++i)
-          cell.R(I[i][a]) +=
-            (rho * x.acceleration[i] * N[a] + eta * D_g[i] - x.p * g[a][i]) *
-            x.JxW;
-      }
+      for (unsigned int i = 0; i < dim; ++i)
+        cell.R(I[i][a]) += inertia[i] * N[a] + stress[i] * g[a];
     for (unsigned int k = 0; k < cell.n_pressure; ++k)
       cell.R(I[dim][k]) -= (x.r * x.div_v + x.mass_rate) * M[k] * x.JxW;
     if (!with_tangent)

@@ -1,8 +1,9 @@
 #include <asperity/base/errors.h>
 #include <asperity/flow/fluid_boundary.h>
+#include <asperity/flow/shape_table.h>
 
+#include <deal.II/base/qprojector.h>
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/full_matrix.h>
 
 #include <algorithm>
@@ -15,8 +16,6 @@ namespace asperity
 
   namespace
   {
-    const dealii::FEValuesExtractors::Vector velocity_field(0);
-
     bool
     overlap(const BoundaryIds &a, const BoundaryIds &b)
     {
@@ -28,31 +27,58 @@ namespace asperity
 
 
 
+  struct FluidBoundary::Shapes
+  {
+    using Geometry = dealii::GeometryInfo<2>;
+
+    explicit Shapes(const FluidSpace &space)
+      : quadrature(space.degree() + 2)
+    {
+      const auto &velocity_fe = space.dofs().get_fe().base_element(0);
+      const auto &mesh_fe     = space.geometry_dofs().get_fe().base_element(0);
+      const auto  cell        = velocity_fe.reference_cell();
+      for (unsigned int f = 0; f < Geometry::faces_per_cell; ++f)
+        {
+          const auto points =
+            dealii::QProjector<2>::project_to_face(cell, quadrature, f)
+              .get_points();
+          velocity.emplace_back(velocity_fe, points);
+          geometry.emplace_back(mesh_fe, points);
+          normal.push_back(Geometry::unit_normal_vector[f]);
+          functions.emplace_back();
+          for (unsigned int a = 0; a < velocity_fe.n_dofs_per_face(); ++a)
+            functions.back().push_back(velocity_fe.face_to_cell_index(a, f));
+        }
+    }
+
+    const dealii::QGauss<1> quadrature;
+
+    // By faces
+    std::vector<ShapeTable>                velocity, geometry;
+    std::vector<Tensor<1, 2>>              normal;
+    std::vector<std::vector<unsigned int>> functions; // those that live there
+  };
+
+
+
   /** Work space of one face. */
   struct FluidBoundary::Face
   {
-    explicit Face(const FluidSpace &space, const MovingMesh &mesh)
-      : quadrature(space.degree() + 2)
-      , values(mesh.mapping(),
-               space.dofs().get_fe(),
-               quadrature,
-               dealii::update_values | dealii::update_JxW_values |
-                 dealii::update_normal_vectors |
-                 dealii::update_quadrature_points)
-      , dofs(space.dofs().get_fe().n_dofs_per_cell())
+    explicit Face(const FluidSpace &space)
+      : unknowns(space.dofs().get_fe())
+      , mesh_unknowns(space.geometry_dofs().get_fe())
+      , dofs(unknowns.dofs())
       , R(dofs.size())
       , K(dofs.size(), dofs.size())
-      , v(quadrature.size())
-      , wall_v(quadrature.size())
-      , alpha(quadrature.size())
     {}
 
-    const dealii::QGauss<1>                      quadrature;
-    dealii::FEFaceValues<2>                      values;
-    std::vector<dealii::types::global_dof_index> dofs;
-    dealii::Vector<double>                       R;
-    dealii::FullMatrix<double>                   K;
-    std::vector<Tensor<1, 2>>                    v, wall_v, alpha;
+    unsigned int                                        number;
+    CellUnknowns                                        unknowns, mesh_unknowns;
+    const std::vector<dealii::types::global_dof_index> &dofs;
+    dealii::Vector<double>                              R;
+    dealii::FullMatrix<double>                          K;
+    NodalVectors                                        x; // of the mesh
+    NodalVectors                                        v, wall_v, alpha;
   };
 
 
@@ -60,7 +86,12 @@ namespace asperity
   FluidBoundary::FluidBoundary(const FluidSpace &space, const MovingMesh &mesh)
     : space(space)
     , mesh(mesh)
+    , shapes(std::make_unique<Shapes>(space))
   {}
+
+
+
+  FluidBoundary::~FluidBoundary() = default;
 
 
 
@@ -234,7 +265,7 @@ namespace asperity
                      Vector                                  &scale,
                      dealii::SparseMatrix<double>            *tangent) const
   {
-    Face face(space, mesh);
+    Face face(space);
     for (const auto &cell : space.cells())
       for (const unsigned int f : cell->face_indices())
         {
@@ -245,9 +276,8 @@ namespace asperity
           if (condition == nullptr || (condition->kind != Kind::traction &&
                                        condition->kind != Kind::robin))
             continue;
-          face.values.reinit(cell, f);
-          integrate(face, *condition, u, time);
-          cell->get_dof_indices(face.dofs);
+          reinit(face, cell, f, *condition, u);
+          integrate(face, *condition, time, tangent != nullptr);
           space.topology().distribute_local_to_global(face.R, face.dofs, R);
           for (unsigned int i = 0; i < face.dofs.size(); ++i)
             scale(face.dofs[i]) += std::abs(face.R(i));
@@ -270,7 +300,7 @@ namespace asperity
   void
   FluidBoundary::add_robin_diagonal(Vector &diagonal) const
   {
-    Face         face(space, mesh);
+    Face         face(space);
     const Vector at_rest(space.dofs().n_dofs());
     for (const auto &cell : space.cells())
       for (const unsigned int f : cell->face_indices())
@@ -280,11 +310,10 @@ namespace asperity
                                    nullptr;
           if (condition == nullptr || condition->kind != Kind::robin)
             continue;
-          face.values.reinit(cell, f);
-          integrate(face, *condition, at_rest, 0.);
+          reinit(face, cell, f, *condition, at_rest);
+          integrate(face, *condition, 0., true);
           for (unsigned int i = 0; i < face.dofs.size(); ++i)
             face.R(i) = face.K(i, i);
-          cell->get_dof_indices(face.dofs);
           space.topology().distribute_local_to_global(face.R,
                                                       face.dofs,
                                                       diagonal);
@@ -294,45 +323,61 @@ namespace asperity
 
 
   void
+  FluidBoundary::reinit(Face                   &face,
+                        const FluidSpace::Cell &cell,
+                        const unsigned int      number,
+                        const Condition        &condition,
+                        const Vector           &u) const
+  {
+    face.number = number;
+    face.unknowns.reinit(cell);
+    face.mesh_unknowns.reinit(space.geometry_cell(cell));
+    face.mesh_unknowns.extract(mesh.positions(), face.x);
+    if (condition.kind != Kind::robin)
+      return;
+    face.unknowns.extract(u, face.v);
+    face.unknowns.extract(condition.velocity, face.wall_v);
+    face.unknowns.extract(condition.alpha, face.alpha);
+  }
+
+
+
+  void
   FluidBoundary::integrate(Face            &face,
                            const Condition &condition,
-                           const Vector    &u,
-                           const double     time) const
+                           const double     time,
+                           const bool       with_tangent) const
   {
-    face.R               = 0.;
-    face.K               = 0.;
-    const auto &values   = face.values;
-    const auto &fe       = space.dofs().get_fe();
-    const bool  is_robin = condition.kind == Kind::robin;
-    if (is_robin)
+    face.R                 = 0.;
+    face.K                 = 0.;
+    const ShapeTable &N    = shapes->velocity[face.number],
+                     &mesh = shapes->geometry[face.number];
+    const bool is_robin    = condition.kind == Kind::robin;
+    for (unsigned int q = 0; q < shapes->quadrature.size(); ++q)
       {
-        values[velocity_field].get_function_values(u, face.v);
-        values[velocity_field].get_function_values(condition.velocity,
-                                                   face.wall_v);
-        values[velocity_field].get_function_values(condition.alpha, face.alpha);
-      }
-    for (const unsigned int q : values.quadrature_point_indices())
-      {
-        const double alpha = is_robin ? face.alpha[q][0] : 0.;
+        // n ds = cof(J) N dS
+        const Tensor<1, 2> n_ds = cofactor(mesh.gradient(q, face.x)) *
+                                  shapes->normal[face.number] *
+                                  shapes->quadrature.weight(q);
+        const double ds    = n_ds.norm();
+        const double alpha = is_robin ? N.value(q, face.alpha)[0] : 0.;
         Tensor<1, 2> term; // of the weak form, times w
         if (is_robin)
-          term = alpha * (face.v[q] - face.wall_v[q]);
+          term = alpha * (N.value(q, face.v) - N.value(q, face.wall_v));
         else
-          term = -condition.traction(values.quadrature_point(q),
-                                     values.normal_vector(q),
+          term = -condition.traction(dealii::Point<2>(mesh.value(q, face.x)),
+                                     n_ds / ds,
                                      time);
-        for (unsigned int i = 0; i < face.dofs.size(); ++i)
-          {
-            const unsigned int component =
-              fe.system_to_component_index(i).first;
-            if (component == 2)
-              continue;
-            const double N_i = values.shape_value(i, q) * values.JxW(q);
-            face.R(i) += term[component] * N_i;
-            for (unsigned int j = 0; is_robin && j < face.dofs.size(); ++j)
-              if (fe.system_to_component_index(j).first == component)
-                face.K(i, j) += alpha * N_i * values.shape_value(j, q);
-          }
+        for (const unsigned int a : shapes->functions[face.number])
+          for (unsigned int c = 0; c < 2; ++c)
+            {
+              const auto  &I    = face.unknowns.functions(c);
+              const double N_ds = N.values(q)[a] * ds;
+              face.R(I[a]) += term[c] * N_ds;
+              if (with_tangent && is_robin)
+                for (const unsigned int b : shapes->functions[face.number])
+                  face.K(I[a], I[b]) += alpha * N_ds * N.values(q)[b];
+            }
       }
   }
 } // namespace asperity

@@ -23,7 +23,9 @@ namespace asperity
 
 
   void
-  FluidAssembler::set_compression(const Cell &cell, Point &x) const
+  FluidAssembler::set_compression(const Cell        &cell,
+                                  Point             &x,
+                                  const unsigned int q) const
   {
     x.r = 0.;
     for (unsigned int k = 0; k < cell.n_pressure; ++k)
@@ -31,11 +33,14 @@ namespace asperity
         x.r += cell.r[k] * cell.M[k];
         x.grad_r += cell.r[k] * cell.m[k];
       }
-    x.b         = cell.v[x.q] - cell.w[x.q];
-    x.dilation  = rate.now + x.div_v - cell.div_w[x.q];
-    x.mass_rate = (rate.now - cell.div_w[x.q]) * x.r + x.b * x.grad_r;
-    x.r_dot     = rate.now * x.r + cell.r_history[x.q] + x.b * x.grad_r;
-    x.excess    = x.div_v + x.r_dot / x.r;
+    const double div_w = scalar_product(shapes->geometry.gradient(q, cell.w),
+                                        transpose(x.inverse_jacobian));
+    const double r_history = shapes->pressure.value(q, cell.r_history);
+    x.b                    = x.v - x.w;
+    x.dilation             = rate.now + x.div_v - div_w;
+    x.mass_rate            = (rate.now - div_w) * x.r + x.b * x.grad_r;
+    x.r_dot                = rate.now * x.r + r_history + x.b * x.grad_r;
+    x.excess               = x.div_v + x.r_dot / x.r;
   }
 
 
@@ -58,13 +63,13 @@ namespace asperity
   void
   FluidAssembler::add_continuity(const Vector &u, Vector &R) const
   {
-    Cell         cell(space, mesh, model_.is_compressible());
+    Cell         cell(space, *shapes);
     const Vector w = mesh.velocity();
     for (const auto &it : space.cells())
       {
         reinit(cell, it, u, w);
         cell.R = 0.;
-        for (unsigned int q = 0; q < cell.quadrature.size(); ++q)
+        for (unsigned int q = 0; q < shapes->quadrature.size(); ++q)
           {
             const Point x = evaluate(cell, q);
             for (unsigned int k = 0; k < cell.n_pressure; ++k)

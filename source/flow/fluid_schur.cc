@@ -8,14 +8,6 @@
 
 namespace asperity
 {
-  namespace
-  {
-    const dealii::FEValuesExtractors::Vector velocity_field(0);
-    const dealii::FEValuesExtractors::Scalar pressure_field(2);
-  } // namespace
-
-
-
   FluidSchur::FluidSchur(const FluidSpace &space)
     : space(space)
   {
@@ -122,36 +114,29 @@ namespace asperity
     Vector                                  &inertia) const
   {
     const unsigned int         first = space.n_velocity_dofs();
-    Cell                       cell(space, mesh, false);
+    Cell                       cell(space, *shapes);
+    const Vector               w = mesh.velocity();
     dealii::FullMatrix<double> M(cell.n_pressure, cell.n_pressure);
     std::vector<dealii::types::global_dof_index> pressure(cell.n_pressure);
     for (const auto &it : space.cells())
       {
-        cell.flow.reinit(it);
-        cell.flow[velocity_field].get_function_gradients(u, cell.grad_v);
-        cell.flow[pressure_field].get_function_values(u, cell.p);
+        reinit(cell, it, u, w);
         M      = 0.;
         cell.R = 0.;
-        for (unsigned int q = 0; q < cell.quadrature.size(); ++q)
+        for (unsigned int q = 0; q < shapes->quadrature.size(); ++q)
           {
-            const dealii::Tensor<2, 2> two_D =
-              cell.grad_v[q] + transpose(cell.grad_v[q]);
-            const double gamma = std::sqrt(0.5 * scalar_product(two_D, two_D));
-            const double JxW   = cell.flow.JxW(q);
-            const double p     = cell.p[q];
+            const Point  x = evaluate(cell, q);
             const double inverse =
-              JxW * (1. / viscosity.evaluate(gamma, p).value +
-                     rate.now * model_.compressibility.derivative(p));
-            cell.load(q);
+              x.JxW * (1. / x.eta.value +
+                       rate.now * model_.compressibility.derivative(x.p));
             for (unsigned int k = 0; k < cell.n_pressure; ++k)
               for (unsigned int l = 0; l < cell.n_pressure; ++l)
                 M(k, l) += cell.M[k] * cell.M[l] * inverse;
             for (unsigned int a = 0; a < cell.n_velocity; ++a)
               for (unsigned int i = 0; i < Cell::dim; ++i)
                 cell.R(cell.index[i][a]) +=
-                  model_.density * rate.now * cell.N[a] * cell.N[a] * JxW;
+                  model_.density * rate.now * cell.N[a] * cell.N[a] * x.JxW;
           }
-        it->get_dof_indices(cell.dofs);
         for (unsigned int k = 0; k < cell.n_pressure; ++k)
           pressure[k] = cell.dofs[cell.index[2][k]] - first;
         pressure_topology.distribute_local_to_global(M, pressure, mass);

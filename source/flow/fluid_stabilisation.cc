@@ -20,6 +20,7 @@ namespace asperity
     double       steady; // rho^2 c.G c + 36 eta^2 G : G
     double       tau;
     double       tau_C;
+    Tensor<1, 2> grad_p;
     Tensor<1, 2> viscous; // -(lap v + grad div v)
     Tensor<1, 2> r;       // rho acceleration + grad p + eta viscous
   };
@@ -32,12 +33,9 @@ namespace asperity
     const double rho = model_.density;
     const double eta = x.eta.value;
 
-    Tensor<2, 2> inverse_jacobian; // d xi / d x
-    for (unsigned int i = 0; i < dim; ++i)
-      for (unsigned int j = 0; j < dim; ++j)
-        inverse_jacobian[i][j] = cell.flow.inverse_jacobian(x.q)[i][j];
     // The reference cell has length 1 here, 2 in Bazilevs et al. (2007).
-    const Tensor<2, 2> G = 4. * transpose(inverse_jacobian) * inverse_jacobian;
+    const Tensor<2, 2> G =
+      4. * transpose(x.inverse_jacobian) * x.inverse_jacobian;
 
     Stabilisation s;
     s.Gc     = G * x.c;
@@ -46,21 +44,43 @@ namespace asperity
     s.tau    = 1. / std::sqrt(4. * rho * rho * rate.now * rate.now + s.steady);
     s.tau_C  = std::sqrt(s.steady) / trace(G);
 
-    const auto &v_second = cell.second_derivatives[x.q];
-    for (unsigned int i = 0; i < dim; ++i)
-      for (unsigned int j = 0; j < dim; ++j)
-        s.viscous[i] -= v_second[i][j][j] + v_second[j][j][i];
-    s.r = rho * x.acceleration + cell.grad_p[x.q] + eta * s.viscous;
+    for (unsigned int a = 0; a < cell.n_velocity; ++a)
+      s.viscous -= trace(cell.H[a]) * cell.v[a] + cell.H[a] * cell.v[a];
+    for (unsigned int k = 0; k < cell.n_pressure; ++k)
+      s.grad_p += cell.p[k] * cell.m[k];
+    s.r = rho * x.acceleration + s.grad_p + eta * s.viscous;
     return s;
   }
 
 
 
   void
-  FluidAssembler::stabilise(Cell        &cell,
-                            const Point &x,
-                            const bool   with_tangent) const
+  FluidAssembler::set_second_derivatives(Cell              &cell,
+                                         const Point       &x,
+                                         const unsigned int q) const
   {
+    std::array<Tensor<2, 2>, dim> x_second; // of x by the reference coordinates
+    for (unsigned int l = 0; l < cell.x.size(); ++l)
+      for (unsigned int i = 0; i < dim; ++i)
+        x_second[i] += cell.x[l][i] * shapes->geometry.second_derivatives(q)[l];
+    for (unsigned int a = 0; a < cell.n_velocity; ++a)
+      {
+        Tensor<2, 2> H = shapes->velocity.second_derivatives(q)[a];
+        for (unsigned int i = 0; i < dim; ++i)
+          H -= cell.g[a][i] * x_second[i];
+        cell.H[a] = transpose(x.inverse_jacobian) * H * x.inverse_jacobian;
+      }
+  }
+
+
+
+  void
+  FluidAssembler::stabilise(Cell              &cell,
+                            const Point       &x,
+                            const unsigned int q,
+                            const bool         with_tangent) const
+  {
+    set_second_derivatives(cell, x, q);
     const Stabilisation s   = stabilisation(cell, x);
     const double        rho = model_.density;
     const auto         &g   = cell.g;
@@ -74,7 +94,7 @@ namespace asperity
       {
         cell.R(I[dim][k]) -= s.tau * (cell.m[k] * s.r) * x.JxW;
         cell.size(I[dim][k]) +=
-          s.tau * cell.m[k].norm() * cell.grad_p[x.q].norm() * x.JxW;
+          s.tau * cell.m[k].norm() * s.grad_p.norm() * x.JxW;
       }
     if (with_tangent)
       add_stabilised_tangent(cell, x, s);

@@ -1,7 +1,9 @@
 #include <asperity/flow/moving_mesh.h>
+#include <asperity/flow/shape_table.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
+#include <deal.II/numerics/vector_tools.h>
 
 #include <array>
 
@@ -11,40 +13,61 @@ namespace asperity
 
   namespace
   {
-    /** Cofactor of I + grad d: n ds = cof(F) N dS. */
-    Tensor<2, 2>
-    cofactor(const Tensor<2, 2> &grad_d)
-    {
-      Tensor<2, 2> cof;
-      cof[0][0] = 1. + grad_d[1][1];
-      cof[0][1] = -grad_d[1][0];
-      cof[1][0] = -grad_d[0][1];
-      cof[1][1] = 1. + grad_d[0][0];
-      return cof;
-    }
-
     const dealii::FEValuesExtractors::Vector displacement_field(0);
     const dealii::FEValuesExtractors::Scalar pressure_field(2);
   } // namespace
 
 
 
+  struct MovingMesh::Shapes
+  {
+    explicit Shapes(const FluidSpace &space)
+      : mesh(space.geometry_dofs().get_fe())
+      , area(mesh.degree + 1)
+      , geometry(mesh.base_element(0), area.get_points())
+      , content(space.dofs().get_fe().degree + mesh.degree)
+      , content_geometry(mesh.base_element(0), content.get_points())
+      , pressure(space.dofs().get_fe().base_element(1), content.get_points())
+    {}
+
+    const dealii::FiniteElement<2> &mesh;
+    const dealii::QGauss<2>         area;
+    const ShapeTable                geometry;
+    const dealii::QGauss<2>         content;
+    const ShapeTable                content_geometry, pressure;
+  };
+
+
+
   MovingMesh::MovingMesh(const FluidSpace &space)
     : space_(space)
+    , shapes(std::make_unique<Shapes>(space))
     , mapping_(space.geometry_dofs().get_fe().degree)
-    , now(space.geometry_dofs().n_dofs())
+    , reference(space.geometry_dofs().n_dofs())
+    , now(reference.size())
     , old(now)
     , older(now)
   {
+    dealii::VectorTools::get_position_vector(space.reference_mapping(),
+                                             space.geometry_dofs(),
+                                             reference);
     set_displacement(now);
   }
+
+
+
+  MovingMesh::~MovingMesh() = default;
 
 
 
   bool
   MovingMesh::set_displacement(const Vector &d)
   {
-    now   = d;
+    if (x.size() > 0 && d == now)
+      return valid;
+    now = d;
+    x   = reference;
+    x += now;
     valid = !has_inverted_cell();
     if (valid)
       mapping_.initialize(space_.reference_mapping(),
@@ -59,26 +82,37 @@ namespace asperity
   bool
   MovingMesh::has_inverted_cell() const
   {
-    const auto               &fe = space_.geometry_dofs().get_fe();
-    const dealii::QGauss<2>   quadrature(fe.degree + 1);
-    dealii::FEValues<2>       values(space_.reference_mapping(),
-                               fe,
-                               quadrature,
-                               dealii::update_gradients);
-    std::vector<Tensor<2, 2>> grad_d(quadrature.size());
+    CellUnknowns unknowns(shapes->mesh);
+    NodalVectors nodes;
     for (const auto &cell : space_.geometry_dofs().active_cell_iterators())
       {
-        values.reinit(cell);
-        values[displacement_field].get_function_gradients(now, grad_d);
-        for (Tensor<2, 2> F : grad_d)
-          {
-            F[0][0] += 1.;
-            F[1][1] += 1.;
-            if (!(determinant(F) > 0.))
-              return true;
-          }
+        unknowns.reinit(cell);
+        unknowns.extract(x, nodes);
+        for (unsigned int q = 0; q < shapes->area.size(); ++q)
+          if (!(determinant(shapes->geometry.gradient(q, nodes)) > 0.))
+            return true;
       }
     return false;
+  }
+
+
+
+  std::vector<double>
+  MovingMesh::cell_areas() const
+  {
+    CellUnknowns        unknowns(shapes->mesh);
+    NodalVectors        nodes;
+    std::vector<double> areas;
+    for (const auto &cell : space_.geometry_dofs().active_cell_iterators())
+      {
+        unknowns.reinit(cell);
+        unknowns.extract(x, nodes);
+        areas.push_back(0.);
+        for (unsigned int q = 0; q < shapes->area.size(); ++q)
+          areas.back() += determinant(shapes->geometry.gradient(q, nodes)) *
+                          shapes->area.weight(q);
+      }
+    return areas;
   }
 
 
@@ -140,7 +174,10 @@ namespace asperity
     for (unsigned int q = 0; q < n; ++q)
       {
         const auto flux = [&](const Tensor<1, 2> &v, const Tensor<2, 2> &grad) {
-          return v * (cofactor(grad) * face.normal_vector(q)) * face.JxW(q);
+          const Tensor<2, 2> F =
+            grad + Tensor<2, 2>(dealii::unit_symmetric_tensor<2>());
+          // n ds = cof(F) N dS
+          return v * (cofactor(F) * face.normal_vector(q)) * face.JxW(q);
         };
         const Tensor<1, 2> v_1 = rate_.now * (value[0][q] - value[1][q]);
         const Tensor<1, 2> v_2 = rate_.older * (value[1][q] - value[2][q]);
@@ -159,57 +196,51 @@ namespace asperity
                                   const std::vector<double> &mean_ratio,
                                   Vector                    &R) const
   {
-    const auto             &fe          = space_.dofs().get_fe();
-    const auto             &geometry_fe = space_.geometry_dofs().get_fe();
-    const dealii::QGauss<2> quadrature(fe.degree + geometry_fe.degree);
-    dealii::FEValues<2>     pressure(space_.reference_mapping(),
-                                 fe,
-                                 quadrature,
-                                 dealii::update_values);
-    dealii::FEValues<2>     geometry(space_.reference_mapping(),
-                                 geometry_fe,
-                                 quadrature,
-                                 dealii::update_gradients |
-                                   dealii::update_JxW_values);
-    const Vector            w = velocity();
-    std::vector<double> ratio_old(quadrature.size()), ratio_older(ratio_old);
-    std::array<std::vector<Tensor<2, 2>>, 4> grad;
-    grad.fill(std::vector<Tensor<2, 2>>(quadrature.size()));
-    std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
-    Vector                                       local(dofs.size());
+    const ShapeTable     &geometry = shapes->content_geometry;
+    const Vector          w        = velocity();
+    std::array<Vector, 3> positions; // now and before
+    positions.fill(reference);
+    positions[0] += now;
+    positions[1] += old;
+    positions[2] += older;
+    CellUnknowns unknowns(space_.dofs().get_fe()), mesh_unknowns(shapes->mesh);
+    std::array<NodalVectors, 3> nodes;
+    NodalVectors                nodal_w;
+    std::vector<double>         ratio_old, ratio_older;
+    Vector                      local(unknowns.dofs().size());
     for (const auto &cell : space_.cells())
       {
         const double mean =
           mean_ratio[space_.part_of_cell(cell->active_cell_index())];
-        pressure.reinit(cell);
-        geometry.reinit(space_.geometry_cell(cell));
-        pressure[pressure_field].get_function_values(r_old, ratio_old);
-        pressure[pressure_field].get_function_values(r_older, ratio_older);
-        unsigned int k = 0;
-        for (const Vector *field : {&now, &old, &older, &w})
-          geometry[displacement_field].get_function_gradients(*field,
-                                                              grad[k++]);
+        unknowns.reinit(cell);
+        mesh_unknowns.reinit(space_.geometry_cell(cell));
+        unknowns.extract(r_old, 2, ratio_old);
+        unknowns.extract(r_older, 2, ratio_older);
+        for (unsigned int time = 0; time < 3; ++time)
+          mesh_unknowns.extract(positions[time], nodes[time]);
+        mesh_unknowns.extract(w, nodal_w);
         local = 0.;
-        for (const unsigned int q : pressure.quadrature_point_indices())
+        for (unsigned int q = 0; q < shapes->content.size(); ++q)
           {
-            const auto area = [&](const unsigned int time) {
-              return determinant(
-                grad[time][q] +
-                Tensor<2, 2>(dealii::unit_symmetric_tensor<2>()));
-            };
+            // J of the maps from the reference cell
+            std::array<Tensor<2, 2>, 3> J;
+            for (unsigned int time = 0; time < 3; ++time)
+              J[time] = geometry.gradient(q, nodes[time]);
             // div w in the present cell, times its area
             const double dilation =
-              scalar_product(cofactor(grad[0][q]), grad[3][q]);
+              scalar_product(cofactor(J[0]), geometry.gradient(q, nodal_w));
             const double content =
-              rate_.old * area(1) * (ratio_old[q] - mean) +
-              rate_.older * area(2) * (ratio_older[q] - mean) -
-              mean * (rate_.now * area(0) - dilation);
-            for (unsigned int i = 0; i < dofs.size(); ++i)
-              local(i) += content * pressure[pressure_field].value(i, q) *
-                          geometry.JxW(q);
+              rate_.old * determinant(J[1]) *
+                (shapes->pressure.value(q, ratio_old) - mean) +
+              rate_.older * determinant(J[2]) *
+                (shapes->pressure.value(q, ratio_older) - mean) -
+              mean * (rate_.now * determinant(J[0]) - dilation);
+            for (unsigned int k = 0; k < ratio_old.size(); ++k)
+              local(unknowns.functions(2)[k]) += content *
+                                                 shapes->pressure.values(q)[k] *
+                                                 shapes->content.weight(q);
           }
-        cell->get_dof_indices(dofs);
-        space_.topology().distribute_local_to_global(local, dofs, R);
+        space_.topology().distribute_local_to_global(local, unknowns.dofs(), R);
       }
   }
 
@@ -277,6 +308,14 @@ namespace asperity
   MovingMesh::older_displacement() const
   {
     return older;
+  }
+
+
+
+  const MovingMesh::Vector &
+  MovingMesh::positions() const
+  {
+    return x;
   }
 
 

@@ -73,6 +73,8 @@ namespace asperity
                          Vector       &source,
                          const double  tolerance) const
   {
+    if (!is_undetermined())
+      return "";
     const std::vector<double> net   = integrate_divergence(space.dofs(), u),
                               gross = integrate_speed(u);
     const Vector weight             = weights();
@@ -160,17 +162,12 @@ namespace asperity
   std::vector<double>
   PressureLevel::volumes() const
   {
-    const dealii::QGauss<2> quadrature(space.degree() + 1);
-    dealii::FEValues<2>     values(mesh.mapping(),
-                               space.dofs().get_fe(),
-                               quadrature,
-                               dealii::update_JxW_values);
-    std::vector<double>     volume(space.parts().size());
+    const std::vector<double> areas = mesh.cell_areas();
+    std::vector<double>       volume(space.parts().size());
     for (const auto &cell : space.cells())
       {
-        values.reinit(cell);
-        for (const double JxW : values.get_JxW_values())
-          volume[space.part_of_cell(cell->active_cell_index())] += JxW;
+        const unsigned int index = cell->active_cell_index();
+        volume[space.part_of_cell(index)] += areas[index];
       }
     return volume;
   }

@@ -4,8 +4,6 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
-#include <numeric>
-
 // Cells of a flow that are switched on and off, and the volume of its parts.
 namespace asperity
 {
@@ -142,20 +140,7 @@ namespace asperity
   std::vector<double>
   NavierStokes::cell_areas() const
   {
-    const auto             &fe = space_.dofs().get_fe();
-    const dealii::QGauss<2> quadrature(fe.degree + 1);
-    dealii::FEValues<2>     values(mapping(),
-                               fe,
-                               quadrature,
-                               dealii::update_JxW_values);
-    std::vector<double>     areas;
-    for (const auto &cell : space_.dofs().active_cell_iterators())
-      {
-        values.reinit(cell);
-        const auto &JxW = values.get_JxW_values();
-        areas.push_back(std::accumulate(JxW.begin(), JxW.end(), 0.));
-      }
-    return areas;
+    return mesh.cell_areas();
   }
 
 

@@ -9,6 +9,7 @@
 #include <deal.II/lac/sparse_matrix.h>
 
 #include <functional>
+#include <memory>
 
 namespace asperity
 {
@@ -74,6 +75,8 @@ namespace asperity
                    const MovingMesh &mesh,
                    const FluidModel &model);
 
+    ~FluidAssembler();
+
     /** What flows from now on. */
     void
     set_model(const FluidModel &model);
@@ -127,23 +130,28 @@ namespace asperity
     model() const;
 
   private:
+    struct Shapes;
     struct Point;
     struct Cell;
     struct Stabilisation; // what the stabilising terms need at a point
 
-    /** The fields in a cell. */
+    /** The nodal values in a cell. */
     void
-    reinit(Cell                                              &cell,
-           const dealii::DoFHandler<2>::active_cell_iterator &it,
-           const Vector                                      &u,
-           const Vector                                      &w) const;
+    reinit(Cell                   &cell,
+           const FluidSpace::Cell &it,
+           const Vector           &u,
+           const Vector           &w) const;
 
     /** The fields at a quadrature point, with the shape functions. */
     Point
     evaluate(Cell &cell, const unsigned int q) const;
 
+    /** The shape functions and their gradients. */
     void
-    set_compression(const Cell &cell, Point &point) const;
+    set_functions(Cell &cell, Point &point, const unsigned int q) const;
+
+    void
+    set_compression(const Cell &cell, Point &point, const unsigned int q) const;
 
     void
     integrate(Cell &cell, const bool with_tangent) const;
@@ -162,21 +170,31 @@ namespace asperity
     Stabilisation
     stabilisation(const Cell &cell, const Point &point) const;
 
+    /** Those of the velocity's shape functions. */
     void
-    stabilise(Cell &cell, const Point &point, const bool with_tangent) const;
+    set_second_derivatives(Cell              &cell,
+                           const Point       &point,
+                           const unsigned int q) const;
+
+    void
+    stabilise(Cell              &cell,
+              const Point       &point,
+              const unsigned int q,
+              const bool         with_tangent) const;
 
     void
     add_stabilised_tangent(Cell                &cell,
                            const Point         &point,
                            const Stabilisation &stabilisation) const;
 
-    const FluidSpace  &space;
-    const MovingMesh  &mesh;
-    FluidModel         model_;
-    LubricantViscosity viscosity;
-    BackwardDifference rate;
-    Vector             history;
-    double             time = 0.;
+    const FluidSpace                   &space;
+    const MovingMesh                   &mesh;
+    const std::unique_ptr<const Shapes> shapes;
+    FluidModel                          model_;
+    LubricantViscosity                  viscosity;
+    BackwardDifference                  rate;
+    Vector                              history;
+    double                              time = 0.;
   };
 } // namespace asperity
 

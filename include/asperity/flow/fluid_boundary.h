@@ -35,6 +35,8 @@ namespace asperity
 
     FluidBoundary(const FluidSpace &space, const MovingMesh &mesh);
 
+    ~FluidBoundary();
+
     /** v = function of position and time.
      *  @param components those prescribed; the traction of the other is 0 */
     void
@@ -111,6 +113,7 @@ namespace asperity
       Vector alpha, velocity;    ///< of Robin, as fields of the flow's space
     };
 
+    struct Shapes; // shape functions on the faces of the reference cell
     struct Face;
 
     void
@@ -122,14 +125,23 @@ namespace asperity
     const Condition *
     condition_on(const dealii::types::boundary_id id) const;
 
+    /** The nodal values in the cell of a face. */
+    void
+    reinit(Face                   &face,
+           const FluidSpace::Cell &cell,
+           const unsigned int      number,
+           const Condition        &condition,
+           const Vector           &u) const;
+
     void
     integrate(Face            &face,
               const Condition &condition,
-              const Vector    &u,
-              const double     time) const;
+              const double     time,
+              const bool       with_tangent) const;
 
     const FluidSpace                                         &space;
     const MovingMesh                                         &mesh;
+    const std::unique_ptr<const Shapes>                       shapes;
     std::map<BoundaryIds, Condition>                          conditions;
     mutable std::map<BoundaryIds, std::unique_ptr<WallNodes>> nodes_;
   };

@@ -8,6 +8,9 @@
 #include <deal.II/fe/mapping_q_cache.h>
 #include <deal.II/lac/vector.h>
 
+#include <memory>
+#include <vector>
+
 namespace asperity
 {
   /**
@@ -29,6 +32,8 @@ namespace asperity
     using Vector = dealii::Vector<double>;
 
     explicit MovingMesh(const FluidSpace &space);
+
+    ~MovingMesh();
 
     /** Current node positions [m] are reference positions plus this.
      *  @return false, and is_valid() is false, if a cell is inverted */
@@ -61,6 +66,10 @@ namespace asperity
     const Vector &
     older_displacement() const;
 
+    /** x, nodal [m]. */
+    const Vector &
+    positions() const;
+
     /** w, nodal [m/s]. */
     Vector
     velocity() const;
@@ -71,6 +80,11 @@ namespace asperity
 
     const FluidSpace &
     space() const;
+
+    /** Present areas [m^2] by active_cell_index(), also of cells that are off.
+     */
+    std::vector<double>
+    cell_areas() const;
 
     /**
      * Adds to R, for each pressure function q of a cell at the walls, the
@@ -101,6 +115,8 @@ namespace asperity
                         Vector                    &R) const;
 
   private:
+    struct Shapes; // shape functions on the reference cell
+
     bool
     has_inverted_cell() const;
 
@@ -108,11 +124,14 @@ namespace asperity
     std::vector<double>
     flux_defect(const dealii::FEFaceValues<2> &face) const;
 
-    const FluidSpace        &space_;
-    dealii::MappingQCache<2> mapping_;
-    Vector                   now, old, older;
-    BackwardDifference       rate_;
-    bool                     valid = true;
+    const FluidSpace                   &space_;
+    const std::unique_ptr<const Shapes> shapes;
+    dealii::MappingQCache<2>            mapping_;
+    Vector                              reference; ///< X, nodal [m]
+    Vector                              x;         ///< now
+    Vector                              now, old, older;
+    BackwardDifference                  rate_;
+    bool                                valid = true;
   };
 } // namespace asperity
 
