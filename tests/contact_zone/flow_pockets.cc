@@ -51,6 +51,32 @@ TEST(FlowPockets, says_that_the_oil_has_no_room)
     }
 }
 
+// Flat surfaces close everywhere at once, as soon as the load has compressed
+// the oil.
+TEST(FlowPockets, says_that_its_room_vanishes)
+{
+  SceneParameters parameters               = flooded_scene();
+  parameters.tool.kind                     = SurfaceKind::flat;
+  parameters.chip                          = SurfaceParameters();
+  parameters.chip.kind                     = SurfaceKind::flat;
+  parameters.load.pressure                 = 5e6;
+  parameters.lubrication.sealing_gap       = 0.9995 * 0.1e-6;
+  parameters.lubrication.flow.compressible = true;
+  Scene       scene(parameters);
+  SlidingRun  run(parameters, scene);
+  std::string message;
+  try
+    {
+      run.run([](const SlidingRun &) {});
+    }
+  catch (const ComputationError &error)
+    {
+      message = error.what();
+    }
+  EXPECT_GT(run.state().step, 0U);
+  EXPECT_NE(message.find("no room to flow"), std::string::npos) << message;
+}
+
 namespace
 {
   /** Nearly in touch, so that there are several pockets. */
