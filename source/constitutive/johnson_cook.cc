@@ -117,34 +117,6 @@ namespace asperity
 
 
 
-  ValueAndSlope
-  JohnsonCook::hardening(const double plastic_strain) const
-  {
-    if (plastic_strain <= 0.)
-      return {parameters.A,
-              parameters.B == 0. ? 0. :
-                                   std::numeric_limits<double>::infinity()};
-    if (plastic_strain > parameters.strain_limit)
-      return {parameters.A +
-                parameters.B * std::pow(parameters.strain_limit, parameters.n),
-              0.};
-    const double power = parameters.B * std::pow(plastic_strain, parameters.n);
-    return {parameters.A + power, parameters.n * power / plastic_strain};
-  }
-
-
-
-  ValueAndSlope
-  JohnsonCook::rate_factor(const double rate) const
-  {
-    if (rate <= parameters.reference_rate)
-      return {1., 0.};
-    return {1. + parameters.C * std::log(rate / parameters.reference_rate),
-            parameters.C / rate};
-  }
-
-
-
   std::optional<Softening>
   JohnsonCook::softening() const
   {

@@ -3,8 +3,6 @@
 #include <asperity/constitutive/finite_strain_j2.h>
 #include <asperity/constitutive/voce.h>
 
-#include <cmath>
-
 namespace asperity
 {
   void
@@ -65,30 +63,4 @@ namespace asperity
                        " Pa) must not be negative.");
   }
 
-
-
-  double
-  Voce::static_value(const double plastic_strain, const double) const
-  {
-    return evaluate(plastic_strain, 0., 0.).value;
-  }
-
-
-
-  FlowStressValue
-  Voce::evaluate(const double plastic_strain, const double, const double) const
-  {
-    const double range = parameters.saturation_stress - parameters.yield_stress;
-    double       value =
-      parameters.yield_stress + parameters.linear_hardening * plastic_strain;
-    double slope = parameters.linear_hardening;
-    if (range != 0.)
-      {
-        const double decay =
-          std::exp(-parameters.saturation_rate * plastic_strain);
-        value += range * (1. - decay);
-        slope += range * parameters.saturation_rate * decay;
-      }
-    return {value, slope, 0., 0.};
-  }
 } // namespace asperity

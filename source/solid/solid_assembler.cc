@@ -23,9 +23,10 @@ namespace asperity
       K.start(n, axisymmetric);
     }
 
-    std::vector<double> displacement, residual;
-    ElementStiffness    K;
-    MaterialResponse    response;
+    std::vector<double>           displacement, residual;
+    ElementStiffness              K;
+    std::vector<Tensor<2, 3>>     F; // of each point
+    std::vector<MaterialResponse> responses;
   };
 
 
@@ -110,6 +111,63 @@ namespace asperity
 
 
 
+  void
+  SolidAssembler::fill_deformation(const ElementView &element, Scratch &s) const
+  {
+    s.F.resize(table_.points_per_element);
+    for (unsigned int q = 0; q < table_.points_per_element; ++q)
+      {
+        double xx = 1., xy = 0., yx = 0., yy = 1., zz = 1.;
+        for (unsigned int a = 0; a < element.n_functions(); ++a)
+          {
+            const Tensor<1, 2> &gradient = element.gradient(q, a);
+            const double        u_x      = s.displacement[2 * a],
+                         u_y             = s.displacement[2 * a + 1];
+            xx += u_x * gradient[0];
+            xy += u_x * gradient[1];
+            yx += u_y * gradient[0];
+            yy += u_y * gradient[1];
+            if (kinematics == Kinematics::axisymmetric)
+              zz +=
+                u_x * element.N(q, a) / table_.position[element.point(q)][0];
+          }
+        s.F[q][0][0] = xx;
+        s.F[q][0][1] = xy;
+        s.F[q][1][0] = yx;
+        s.F[q][1][1] = yy;
+        s.F[q][2][2] = zz;
+      }
+  }
+
+
+
+  bool
+  SolidAssembler::evaluate_law(const ElementView &element,
+                               const bool         with_tangent,
+                               Scratch           &s)
+  {
+    const unsigned int first = element.point(0);
+    s.responses.resize(table_.points_per_element);
+    for (unsigned int q = 0; q < s.responses.size(); ++q)
+      s.responses[q].state = new_history[first + q];
+    law_->evaluate_points(s.responses.size(),
+                          s.F.data(),
+                          &old_history[first],
+                          dt,
+                          with_tangent,
+                          s.responses.data());
+    for (unsigned int q = 0; q < s.responses.size(); ++q)
+      {
+        if (s.responses[q].status != LawStatus::ok)
+          return false;
+        new_history[first + q] = s.responses[q].state;
+        mises[first + q]       = s.responses[q].mises;
+      }
+    return true;
+  }
+
+
+
   bool
   SolidAssembler::integrate(const unsigned int e,
                             const Vector      &u,
@@ -122,39 +180,22 @@ namespace asperity
     s.start(n, axisymmetric);
     for (unsigned int i = 0; i < 2 * n; ++i)
       s.displacement[i] = u(dofs[e][i]);
-    ElementStiffness::Gradients &grad_N = s.K.gradients();
+    fill_deformation(element, s);
+    if (!evaluate_law(element, with_tangent, s))
+      return false;
 
+    ElementStiffness::Gradients &grad_N = s.K.gradients();
     for (unsigned int q = 0; q < table_.points_per_element; ++q)
       {
-        const unsigned int point  = element.point(q);
-        const double       weight = element.JxW(q);
-        Tensor<2, 3>       F      = dealii::unit_symmetric_tensor<3>();
+        const double        weight = element.JxW(q);
+        const Tensor<2, 3> &P      = s.responses[q].P;
         for (unsigned int a = 0; a < n; ++a)
           {
-            const Tensor<1, 2> &gradient = element.gradient(q, a);
-            const double        u_x      = s.displacement[2 * a],
-                         u_y             = s.displacement[2 * a + 1];
-            grad_N.x[a]                  = gradient[0];
-            grad_N.y[a]                  = gradient[1];
-            F[0][0] += u_x * gradient[0];
-            F[0][1] += u_x * gradient[1];
-            F[1][0] += u_y * gradient[0];
-            F[1][1] += u_y * gradient[1];
+            grad_N.x[a] = element.gradient(q, a)[0];
+            grad_N.y[a] = element.gradient(q, a)[1];
             if (axisymmetric)
-              {
-                grad_N.hoop[a] = element.N(q, a) / table_.position[point][0];
-                F[2][2] += u_x * grad_N.hoop[a];
-              }
-          }
-        s.response.state = new_history[point];
-        law_->evaluate(F, old_history[point], dt, with_tangent, s.response);
-        if (s.response.status != LawStatus::ok)
-          return false;
-        const Tensor<2, 3> &P = s.response.P;
-        new_history[point]    = s.response.state;
-        mises[point]          = s.response.mises;
-        for (unsigned int a = 0; a < n; ++a)
-          {
+              grad_N.hoop[a] =
+                element.N(q, a) / table_.position[element.point(q)][0];
             s.residual[2 * a] +=
               weight * (P[0][0] * grad_N.x[a] + P[0][1] * grad_N.y[a] +
                         P[2][2] * grad_N.hoop[a]);
@@ -162,7 +203,7 @@ namespace asperity
               weight * (P[1][0] * grad_N.x[a] + P[1][1] * grad_N.y[a]);
           }
         if (with_tangent)
-          s.K.add(s.response.tangent, weight);
+          s.K.add(s.responses[q].tangent, weight);
       }
     return true;
   }

@@ -225,14 +225,14 @@ TEST(ReturnMap, needs_few_evaluations_of_the_flow_stress)
       for (const double rate : {1e2, 1e5, 1e7})
         {
           const double static_stress = flow.static_value(plastic_strain, 400.);
-          const ReturnSolution solution =
+          const ReturnSolution<> solution =
             solve_return(flow,
-                         ReturnProblem{static_stress + three_mu * increment,
-                                       three_mu,
-                                       plastic_strain,
-                                       400.,
-                                       rate / increment,
-                                       heating},
+                         ReturnProblem<>{static_stress + three_mu * increment,
+                                         three_mu,
+                                         plastic_strain,
+                                         400.,
+                                         rate / increment,
+                                         heating},
                          static_stress);
           ASSERT_TRUE(solution.found);
           total += solution.evaluations;
@@ -252,23 +252,59 @@ TEST(ReturnMap, starts_from_a_guess_and_finds_the_same_root)
   const double      nan      = std::numeric_limits<double>::quiet_NaN();
   for (const double increment : {1e-5, 1e-3, 0.1})
     {
-      const double  static_stress = flow.static_value(0.01, 400.);
-      ReturnProblem problem{static_stress + three_mu * increment,
-                            three_mu,
-                            0.01,
-                            400.,
-                            1e5 / increment,
-                            heating};
-      const double  root = solve_return(flow, problem, static_stress).increment;
+      const double    static_stress = flow.static_value(0.01, 400.);
+      ReturnProblem<> problem{static_stress + three_mu * increment,
+                              three_mu,
+                              0.01,
+                              400.,
+                              1e5 / increment,
+                              heating};
+      const double root = solve_return(flow, problem, static_stress).increment;
       for (const double guess :
            {root, 1.1 * root, 0.01 * root, 1e3, 1e-300, -1., nan})
         {
           problem.guess = guess;
-          const ReturnSolution solution =
+          const ReturnSolution<> solution =
             solve_return(flow, problem, static_stress);
           ASSERT_TRUE(solution.found);
           EXPECT_NEAR(solution.increment, root, 1e-11 * root) << guess;
           EXPECT_TRUE(guess != root || solution.evaluations == 1);
         }
     }
+}
+
+
+
+TEST(ReturnMap, points_together_answer_as_each_alone)
+{
+  const std::vector<Tensor<2, 3>> F = {plane(1., 0., 0., 1., 1.),
+                                       isochoric_stretch(0.3),
+                                       plane(1., 1e-4, 0., 1., 1.),
+                                       plane(-1., 0., 0., 1., 1.),
+                                       plane(1.5, 2., 0.1, 0.9, 1.1),
+                                       isochoric_stretch(0.01),
+                                       plane(0.7, 0., 0., 0.7, 0.7)};
+  for (const auto &law : all_laws())
+    for (unsigned int n = 1; n <= F.size(); ++n)
+      {
+        const std::vector<MaterialState> old(n);
+        std::vector<MaterialResponse>    together(n);
+        law->evaluate_points(
+          n, F.data(), old.data(), 1e-6, true, together.data());
+        for (unsigned int q = 0; q < n; ++q)
+          {
+            MaterialResponse alone;
+            law->evaluate(F[q], old[q], 1e-6, true, alone);
+            ASSERT_EQ(together[q].status, alone.status) << law->name() << q;
+            if (alone.status != LawStatus::ok)
+              continue;
+            EXPECT_EQ(together[q].plastic, alone.plastic);
+            EXPECT_LE((together[q].P - alone.P).norm(), 1e-12 * alone.P.norm());
+            EXPECT_LE((together[q].tangent - alone.tangent).norm(),
+                      1e-12 * alone.tangent.norm());
+            EXPECT_NEAR(together[q].state.plastic_strain,
+                        alone.state.plastic_strain,
+                        1e-13);
+          }
+      }
 }

@@ -14,4 +14,12 @@
 #  define ASPERITY_ALL_VECTOR_WIDTHS
 #endif
 
+/** Before such a function, too: what it calls becomes part of it, so that there
+ *  is a version of that for every width as well. */
+#if defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__)
+#  define ASPERITY_INLINE_ALL __attribute__((flatten))
+#else
+#  define ASPERITY_INLINE_ALL
+#endif
+
 #endif

@@ -1,12 +1,14 @@
 #ifndef asperity_constitutive_finite_strain_j2_h
 #define asperity_constitutive_finite_strain_j2_h
 
+#include <asperity/base/vector_widths.h>
 #include <asperity/constitutive/heating_parameters.h>
 #include <asperity/constitutive/hencky_kinematics.h>
 #include <asperity/constitutive/material_law.h>
+#include <asperity/constitutive/point_pack.h>
 #include <asperity/constitutive/return_map.h>
 
-#include <cmath>
+#include <algorithm>
 
 namespace asperity
 {
@@ -54,6 +56,14 @@ namespace asperity
              const bool                  with_tangent,
              MaterialResponse           &response) const override;
 
+    void
+    evaluate_points(const unsigned int          n_points,
+                    const dealii::Tensor<2, 3> *F,
+                    const MaterialState        *old,
+                    const double                dt,
+                    const bool                  with_tangent,
+                    MaterialResponse           *responses) const override;
+
     std::string
     name() const override;
 
@@ -66,6 +76,18 @@ namespace asperity
     softening() const override;
 
   private:
+    using Pack = lanes::Pack;
+
+    /** Up to lanes::width points, side by side. */
+    static void
+    evaluate_pack(const FiniteStrainJ2       &law,
+                  const unsigned int          n_points,
+                  const dealii::Tensor<2, 3> *F,
+                  const MaterialState        *old,
+                  const double                dt,
+                  const bool                  with_tangent,
+                  MaterialResponse           *responses);
+
     /** A returned state lies on the yield surface up to round-off, which must
      *  not count as yielding when it is evaluated again. */
     static constexpr double yield_tolerance = 1e-11;
@@ -102,62 +124,90 @@ namespace asperity
                                  const bool                  with_tangent,
                                  MaterialResponse           &response) const
   {
-    const double guess = response.state.plastic_strain - old.plastic_strain;
-    const auto   t     = hencky::trial_strain(F, old.Cp_inverse);
-    response.plastic   = false;
-    response.state     = old;
-    response.status    = t.valid ? LawStatus::ok : LawStatus::inverted;
-    if (!t.valid)
-      return;
+    evaluate_pack(*this, 1, &F, &old, dt, with_tangent, &response);
+  }
 
-    const hencky::SymmetricPlane e = hencky::deviator(t);
+
+
+  template <class Flow>
+  void
+  FiniteStrainJ2<Flow>::evaluate_points(const unsigned int          n_points,
+                                        const dealii::Tensor<2, 3> *F,
+                                        const MaterialState        *old,
+                                        const double                dt,
+                                        const bool        with_tangent,
+                                        MaterialResponse *responses) const
+  {
+    for (unsigned int q = 0; q < n_points; q += lanes::width)
+      evaluate_pack(*this,
+                    std::min(lanes::width, n_points - q),
+                    F + q,
+                    old + q,
+                    dt,
+                    with_tangent,
+                    responses + q);
+  }
+
+
+
+  template <class Flow>
+  ASPERITY_ALL_VECTOR_WIDTHS ASPERITY_INLINE_ALL void
+  FiniteStrainJ2<Flow>::evaluate_pack(const FiniteStrainJ2       &law,
+                                      const unsigned int          n_points,
+                                      const dealii::Tensor<2, 3> *F,
+                                      const MaterialState        *old,
+                                      const double                dt,
+                                      const bool                  with_tangent,
+                                      MaterialResponse           *responses)
+  {
+    const PointPack points = load_points(n_points, F, old, responses);
+    const auto      t      = hencky::trial_strain(points.F, points.Cp_inverse);
+    const auto      e      = hencky::deviator(t);
     // q = sqrt(3/2) |2 mu dev eps|
-    const double trial_stress =
-      shear_modulus * std::sqrt(6. * hencky::contract(e, e));
-    double ratio   = 1.; // q/q_trial
-    double slope   = 1.; // dq/dq_trial
-    response.mises = trial_stress;
+    const Pack trial_stress =
+      law.shear_modulus * lanes::sqrt(6. * hencky::contract(e, e));
+    const Pack static_flow_stress =
+      law.flow_stress.static_value(points.plastic_strain, points.temperature);
 
-    const double static_flow_stress =
-      flow_stress.static_value(old.plastic_strain, old.temperature);
-    if (trial_stress > (1. + yield_tolerance) * static_flow_stress)
+    PointPackResponse r;
+    r.valid = t.valid;
+    r.plastic =
+      t.valid & (trial_stress > (1. + yield_tolerance) * static_flow_stress);
+    r.found    = !r.plastic;
+    r.mises    = trial_stress;
+    Pack ratio = lanes::broadcast<Pack>(1.); // q/q_trial
+    Pack slope = ratio;                      // dq/dq_trial
+    if (lanes::any(r.plastic))
       {
-        const ReturnSolution solution =
-          solve_return(flow_stress,
-                       ReturnProblem{trial_stress,
-                                     3. * shear_modulus,
-                                     old.plastic_strain,
-                                     old.temperature,
-                                     (dt > 0.) ? 1. / dt : 0.,
-                                     heating_coefficient,
-                                     guess},
-                       static_flow_stress);
-        if (!solution.found)
-          {
-            response.status = LawStatus::no_return;
-            return;
-          }
-        ratio            = solution.stress / trial_stress;
-        slope            = solution.slope;
-        response.mises   = solution.stress;
-        response.plastic = true;
-        response.state.plastic_strain += solution.increment;
-        response.state.temperature = solution.temperature;
-        response.state.Cp_inverse  = hencky::updated_Cp_inverse(t, e, ratio);
+        const auto solution = solve_return(
+          law.flow_stress,
+          ReturnProblem<Pack>{lanes::select(r.plastic, trial_stress, Pack()),
+                              3. * law.shear_modulus,
+                              points.plastic_strain,
+                              points.temperature,
+                              (dt > 0.) ? 1. / dt : 0.,
+                              law.heating_coefficient,
+                              points.guess},
+          static_flow_stress);
+        r.found = r.found | solution.found;
+        r.mises = lanes::select(r.plastic, solution.stress, r.mises);
+        slope   = lanes::select(r.plastic, solution.slope, slope);
+        ratio   = lanes::select(r.plastic, r.mises / trial_stress, ratio);
+        r.plastic_strain = points.plastic_strain + solution.increment;
+        r.temperature    = solution.temperature;
+        r.Cp_inverse     = hencky::updated_Cp_inverse(t, e, ratio);
       }
-
-    hencky::fill_stress(hencky::isotropic_stress(bulk_modulus * t.trace,
-                                                 2. * shear_modulus * ratio,
-                                                 e),
-                        t,
-                        response.P);
-    if (with_tangent)
-      hencky::fill_tangent(
-        hencky::radial_return_tangent(
-          {bulk_modulus, shear_modulus}, e, trial_stress, ratio, slope),
-        t,
-        response.P,
-        response.tangent);
+    const auto tau =
+      hencky::isotropic_stress<Pack>(law.bulk_modulus * t.trace,
+                                     2. * law.shear_modulus * ratio,
+                                     e);
+    r.P = hencky::nominal_stress(tau, t);
+    store_points(n_points, r, old, responses);
+    if (!with_tangent)
+      return;
+    const auto c = hencky::radial_return_tangent<Pack>(
+      {law.bulk_modulus, law.shear_modulus}, e, trial_stress, ratio, slope);
+    store_tangents(n_points, hencky::nominal_tangent(c, t, r.P), responses);
   }
 
 

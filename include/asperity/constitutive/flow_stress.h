@@ -9,28 +9,32 @@
 namespace asperity
 {
   /** The flow stress [Pa] at a point and its partial derivatives. */
-  struct FlowStressValue
+  template <class Number>
+  struct BasicFlowStressValue
   {
-    double value;
-    double d_strain;      ///< by equivalent plastic strain [Pa]
-    double d_rate;        ///< by equivalent plastic strain rate [Pa s]
-    double d_temperature; ///< by temperature [Pa/K]
+    Number value;
+    Number d_strain;      ///< by equivalent plastic strain [Pa]
+    Number d_rate;        ///< by equivalent plastic strain rate [Pa s]
+    Number d_temperature; ///< by temperature [Pa/K]
   };
+
+  using FlowStressValue = BasicFlowStressValue<double>;
 
   /**
    * Base of all flow stresses sigma(eps, epsdot, T). A flow stress is a class
    * `Law : public FlowStress<Law>` with the two members
    *
-   *   double          static_value(plastic_strain, temperature) const;
-   *   FlowStressValue evaluate(plastic_strain, rate, temperature) const;
+   *   Number                       static_value(plastic_strain, temperature);
+   *   BasicFlowStressValue<Number> evaluate(plastic_strain, rate, temperature);
    *
-   * in 1, 1/s and K, where static_value is the limit of a vanishing rate. The
-   * value must be positive, continuous, and must not decrease with the rate.
-   * Temperature counts by the factor of softening() alone, which a law that
-   * softens hides by its own: messages about melting and the shear limit of
-   * exported laws are made from it.
-   * FiniteStrainJ2 takes such a class as template argument, so that the hot
-   * loop has no virtual calls.
+   * in 1, 1/s and K, both const and templates of Number, a double or a
+   * lanes::Pack of several points, where static_value is the limit of a
+   * vanishing rate. The value must be positive, continuous, and must not
+   * decrease with the rate. Temperature counts by the factor of softening()
+   * alone, which a law that softens hides by its own: messages about melting
+   * and the shear limit of exported laws are made from it. FiniteStrainJ2 takes
+   * such a class as template argument, so that the hot loop has no virtual
+   * calls.
    */
   template <class Law>
   class FlowStress

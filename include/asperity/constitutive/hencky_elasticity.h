@@ -15,17 +15,22 @@ namespace asperity
   {
   public:
     /** See FlowStress. */
-    double
-    static_value(const double, const double) const
+    template <class Number>
+    Number
+    static_value(const Number &, const Number &) const
     {
-      return std::numeric_limits<double>::infinity();
+      return lanes::broadcast<Number>(std::numeric_limits<double>::infinity());
     }
 
     /** See FlowStress. */
-    FlowStressValue
-    evaluate(const double, const double, const double) const
+    template <class Number>
+    BasicFlowStressValue<Number>
+    evaluate(const Number &, const Number &, const Number &) const
     {
-      return {std::numeric_limits<double>::infinity(), 0., 0., 0.};
+      return {lanes::broadcast<Number>(std::numeric_limits<double>::infinity()),
+              Number(),
+              Number(),
+              Number()};
     }
   };
 

@@ -5,6 +5,7 @@
 #include <asperity/constitutive/heating_parameters.h>
 #include <asperity/constitutive/material_law.h>
 
+#include <limits>
 #include <memory>
 
 namespace asperity
@@ -67,22 +68,26 @@ namespace asperity
      * A + B eps^n [Pa]. The slope is infinite at 0 if n < 1, and 0 beyond the
      * strain limit; negative strain (round-off) counts as 0.
      */
-    ValueAndSlope
-    hardening(const double plastic_strain) const;
+    template <class Number>
+    BasicValueAndSlope<Number>
+    hardening(const Number &plastic_strain) const;
 
     /** 1 + C ln max(1, rate/reference_rate), rate in 1/s. */
-    ValueAndSlope
-    rate_factor(const double rate) const;
+    template <class Number>
+    BasicValueAndSlope<Number>
+    rate_factor(const Number &rate) const;
 
     /** The flow stress at rest [Pa]; see FlowStress. */
-    double
-    static_value(const double plastic_strain, const double temperature) const;
+    template <class Number>
+    Number
+    static_value(const Number &plastic_strain, const Number &temperature) const;
 
     /** The flow stress and its derivatives; see FlowStress. */
-    FlowStressValue
-    evaluate(const double plastic_strain,
-             const double rate,
-             const double temperature) const;
+    template <class Number>
+    BasicFlowStressValue<Number>
+    evaluate(const Number &plastic_strain,
+             const Number &rate,
+             const Number &temperature) const;
 
     /** The thermal factor; see FlowStress. */
     std::optional<Softening>
@@ -95,26 +100,59 @@ namespace asperity
 
 
 
-  // The functions below are inline since the return map calls them a few
-  // times for each quadrature point.
+  template <class Number>
+  BasicValueAndSlope<Number>
+  JohnsonCook::hardening(const Number &plastic_strain) const
+  {
+    const JohnsonCookParameters &p     = parameters;
+    const auto                   begun = plastic_strain > 0.;
+    const auto                   ended = plastic_strain > p.strain_limit;
+    const Number                 limit = Number() + p.strain_limit;
+    const Number                 strain =
+      lanes::select(begun, lanes::select(ended, limit, plastic_strain), limit);
+    const Number power         = p.B * lanes::pow(strain, p.n);
+    const Number initial_slope = lanes::broadcast<Number>(
+      p.B == 0. ? 0. : std::numeric_limits<double>::infinity());
+    return {p.A + lanes::select(begun, power, Number()),
+            lanes::select(begun,
+                          lanes::select(ended, Number(), p.n * power / strain),
+                          initial_slope)};
+  }
 
-  inline double
-  JohnsonCook::static_value(const double plastic_strain,
-                            const double temperature) const
+
+
+  template <class Number>
+  BasicValueAndSlope<Number>
+  JohnsonCook::rate_factor(const Number &rate) const
+  {
+    const auto   fast     = rate > parameters.reference_rate;
+    const Number slowest  = Number() + parameters.reference_rate;
+    const Number relevant = lanes::select(fast, rate, slowest);
+    return {1. + parameters.C * lanes::log(relevant / slowest),
+            lanes::select(fast, parameters.C / relevant, Number())};
+  }
+
+
+
+  template <class Number>
+  Number
+  JohnsonCook::static_value(const Number &plastic_strain,
+                            const Number &temperature) const
   {
     return hardening(plastic_strain).value * thermal.factor(temperature).value;
   }
 
 
 
-  inline FlowStressValue
-  JohnsonCook::evaluate(const double plastic_strain,
-                        const double rate,
-                        const double temperature) const
+  template <class Number>
+  BasicFlowStressValue<Number>
+  JohnsonCook::evaluate(const Number &plastic_strain,
+                        const Number &rate,
+                        const Number &temperature) const
   {
-    const ValueAndSlope h = hardening(plastic_strain);
-    const ValueAndSlope r = rate_factor(rate);
-    const ValueAndSlope t = thermal.factor(temperature);
+    const BasicValueAndSlope<Number> h = hardening(plastic_strain);
+    const BasicValueAndSlope<Number> r = rate_factor(rate);
+    const BasicValueAndSlope<Number> t = thermal.factor(temperature);
     return {h.value * r.value * t.value,
             h.slope * r.value * t.value,
             h.value * r.slope * t.value,

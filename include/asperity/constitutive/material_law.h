@@ -85,6 +85,20 @@ namespace asperity
              const bool                  with_tangent,
              MaterialResponse           &response) const = 0;
 
+    /** The same at several points, where a law may be faster; what is said of
+     *  one point holds for each. */
+    virtual void
+    evaluate_points(const unsigned int          n_points,
+                    const dealii::Tensor<2, 3> *F,
+                    const MaterialState        *old,
+                    const double                dt,
+                    const bool                  with_tangent,
+                    MaterialResponse           *responses) const
+    {
+      for (unsigned int q = 0; q < n_points; ++q)
+        evaluate(F[q], old[q], dt, with_tangent, responses[q]);
+    }
+
     /** As in a parameter file. */
     virtual std::string
     name() const = 0;

@@ -1,35 +1,39 @@
 #ifndef asperity_constitutive_return_map_h
 #define asperity_constitutive_return_map_h
 
+#include <asperity/base/lanes.h>
 #include <asperity/constitutive/flow_stress.h>
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace asperity
 {
-  /** What the scalar return needs to know of the step. */
+  /** What the scalar return needs to know of the step, of one point or of a
+   *  pack of points. */
+  template <class Number = double>
   struct ReturnProblem
   {
-    double trial_stress;        ///< q_trial [Pa], above the static flow stress
+    Number trial_stress;        ///< q_trial [Pa], above the static flow stress
     double three_mu;            ///< 3 mu [Pa]
-    double plastic_strain;      ///< at the start of the step
-    double temperature;         ///< at the start of the step [K]
+    Number plastic_strain;      ///< at the start of the step
+    Number temperature;         ///< at the start of the step [K]
     double inverse_dt;          ///< 1/dt [1/s], 0 for a static step
     double heating_coefficient; ///< chi/(rho c_p) [K/Pa]
-    double guess = 0.; ///< of the root; what is impossible counts as none
+    Number guess = Number(); ///< of the root; what is impossible counts as none
   };
 
   /** The root of the scalar return. */
+  template <class Number = double>
   struct ReturnSolution
   {
-    double increment;   ///< dgamma
-    double stress;      ///< q = sigma at the end of the step [Pa]
-    double slope;       ///< dq/dq_trial
-    double temperature; ///< at the end of the step [K]
+    using Mask = decltype(Number() < Number());
+
+    Number increment;   ///< dgamma
+    Number stress;      ///< q = sigma at the end of the step [Pa]
+    Number slope;       ///< dq/dq_trial
+    Number temperature; ///< at the end of the step [K]
+    Mask   found;       ///< of points that do not yield: false
     int    evaluations; ///< of the flow stress
-    bool   found;
   };
 
   /**
@@ -39,90 +43,101 @@ namespace asperity
    * Newton's method, started where it converges monotonically since the left
    * side is convex.
    */
-  inline double
-  logarithmic_step(const double beta, const double rho)
+  template <class Number>
+  Number
+  logarithmic_step(const Number &beta, const Number &rho)
   {
     constexpr double series_below   = 0.1;
     constexpr double accuracy       = 1e-3; // its square is left
     constexpr int    max_iterations = 20;
-    double           y              = rho / (1. + beta);
-    if (std::abs(y) < series_below)
-      {
-        const double a = 0.5 / (1. + beta);
-        y *= 1. + y * (-a + y * (2. * a * a - a / 3.));
-        return 1. + y * (1. + y * (0.5 + y / 6.));
-      }
-    if (rho > 0.)
-      y = std::fmin(y, std::log1p(rho));
-    double exponential = std::exp(y);
+    const Number     first          = rho / (1. + beta);
+    const Number     a              = 0.5 / (1. + beta);
+    const Number     small =
+      first * (1. + first * (-a + first * (2. * a * a - a / 3.)));
+    const Number series = 1. + small * (1. + small * (0.5 + small / 6.));
+    const auto   large  = lanes::abs(first) >= series_below;
+    if (!lanes::any(large))
+      return series;
+
+    const Number bound =
+      lanes::log(lanes::select(rho > 0., 1. + rho, Number() + 1.));
+    Number y = lanes::select((rho > 0.) & (bound < first), bound, first);
+    Number exponential = lanes::exp(y);
     for (int i = 0; i < max_iterations; ++i)
       {
-        const double step =
+        const Number step =
           (rho + 1. - exponential - beta * y) / (exponential + beta);
         y += step;
-        if (!(std::abs(step) > accuracy))
-          return exponential * (1. + step);
-        exponential = std::exp(y);
+        if (!lanes::any(large & (lanes::abs(step) > accuracy)))
+          {
+            exponential *= 1. + step;
+            break;
+          }
+        exponential = lanes::exp(y);
       }
-    return exponential;
+    return lanes::select(large, exponential, series);
   }
 
 
 
   /** R and its parts at one g; see solve_return(). */
+  template <class Number>
   struct ReturnResidual
   {
-    FlowStressValue sigma;
-    double          hardening; // d sigma/d g at fixed trial stress
-    double          value;     // R
+    BasicFlowStressValue<Number> sigma;
+    Number                       hardening; // d sigma/d g at fixed trial stress
+    Number                       value;     // R
   };
 
 
 
-  template <class FlowStress>
-  ReturnResidual
-  return_residual(const FlowStress    &flow_stress,
-                  const ReturnProblem &p,
-                  const double         g)
+  template <class FlowStress, class Number>
+  ReturnResidual<Number>
+  return_residual(const FlowStress            &flow_stress,
+                  const ReturnProblem<Number> &p,
+                  const Number                &g)
   {
-    const double          k = p.heating_coefficient;
-    const double          q = p.trial_stress - p.three_mu * g;
-    const FlowStressValue sigma =
-      flow_stress.evaluate(p.plastic_strain + g,
-                           g * p.inverse_dt,
-                           p.temperature + k * q * g);
-    const double hardening = sigma.d_strain + sigma.d_rate * p.inverse_dt +
+    const double k         = p.heating_coefficient;
+    const Number q         = p.trial_stress - p.three_mu * g;
+    const auto   sigma     = flow_stress.evaluate(p.plastic_strain + g,
+                                            g * p.inverse_dt,
+                                            p.temperature + k * q * g);
+    const Number hardening = sigma.d_strain + sigma.d_rate * p.inverse_dt +
                              sigma.d_temperature * k * (q - p.three_mu * g);
     return {sigma, hardening, q - sigma.value};
   }
 
 
 
-  /** The solution once g is the root up to a step of second order. */
-  inline ReturnSolution
-  finish_return(const ReturnProblem  &p,
-                const ReturnResidual &R,
-                const double          g,
-                const double          step,
-                const int             evaluations)
+  /** Writes the solution of the points `done`, whose g is the root up to a step
+   *  of second order. */
+  template <class Number>
+  void
+  finish_return(const ReturnProblem<Number>                 &p,
+                const ReturnResidual<Number>                &R,
+                const Number                                &g,
+                const Number                                &step,
+                const typename ReturnSolution<Number>::Mask &done,
+                ReturnSolution<Number>                      &solution)
   {
-    const double k = p.heating_coefficient;
-
-    ReturnSolution solution;
-    solution.increment = g + step;
-    solution.stress    = R.sigma.value + R.hardening * step;
-    solution.temperature =
-      p.temperature + k * solution.stress * solution.increment;
+    const double k         = p.heating_coefficient;
+    const Number increment = g + step;
+    const Number stress    = R.sigma.value + R.hardening * step;
     // by implicit differentiation of R(g, q_trial) = 0; the hardening at the
     // root is that of a flow stress linear in ln g
-    const double hardening     = R.hardening * (g / solution.increment);
-    const double explicit_part = R.sigma.d_temperature * k * g;
-    solution.slope =
+    const Number hardening     = R.hardening * (g / increment);
+    const Number explicit_part = R.sigma.d_temperature * k * g;
+    const Number slope =
       hardening * ((1. - explicit_part) / (p.three_mu + hardening)) +
       explicit_part;
-    solution.evaluations = evaluations;
-    solution.found       = std::isfinite(solution.slope);
-    return solution;
+
+    solution.increment   = lanes::select(done, increment, solution.increment);
+    solution.stress      = lanes::select(done, stress, solution.stress);
+    solution.slope       = lanes::select(done, slope, solution.slope);
+    solution.temperature = lanes::select(done,
+                                         p.temperature + k * stress * increment,
+                                         solution.temperature);
+    solution.found       = solution.found | (done & (slope - slope == 0.));
   }
 
 
@@ -130,7 +145,8 @@ namespace asperity
   /**
    * Solve
    *   R(g) = q_trial - 3 mu g - sigma(eps_n + g, g/dt, T_n + k q(g) g) = 0,
-   *   q(g) = q_trial - 3 mu g.
+   *   q(g) = q_trial - 3 mu g
+   * for the points whose trial stress is above the static flow stress.
    *
    * R(0) > 0 since the trial stress is above the static flow stress, and
    * R(q_trial/(3 mu)) = -sigma < 0, so a root exists; a bracket around it is
@@ -141,11 +157,11 @@ namespace asperity
    *
    * @param static_flow_stress sigma(eps_n, 0, T_n) [Pa]
    */
-  template <class FlowStress>
-  ReturnSolution
-  solve_return(const FlowStress    &flow_stress,
-               const ReturnProblem &p,
-               const double         static_flow_stress)
+  template <class FlowStress, class Number>
+  ReturnSolution<Number>
+  solve_return(const FlowStress            &flow_stress,
+               const ReturnProblem<Number> &p,
+               const Number                &static_flow_stress)
   {
     constexpr double epsilon          = std::numeric_limits<double>::epsilon();
     constexpr int    max_evaluations  = 200;
@@ -155,33 +171,45 @@ namespace asperity
     // evaluation: what it leaves in the stress is its square.
     constexpr double last_step = 1e-6;
 
-    double lower = 0.;
-    double upper = p.trial_stress / p.three_mu;
-    double g     = p.guess;
-    if (!(g > smallest_guess * upper && g < upper))
-      g = (p.trial_stress - static_flow_stress) / p.three_mu;
-    for (int evaluation = 1; evaluation <= max_evaluations; ++evaluation)
+    Number lower = Number();
+    Number upper = p.trial_stress / p.three_mu;
+    Number g =
+      lanes::select((p.guess > smallest_guess * upper) & (p.guess < upper),
+                    p.guess,
+                    (p.trial_stress - static_flow_stress) / p.three_mu);
+    auto                   open = p.trial_stress > static_flow_stress;
+    ReturnSolution<Number> solution{};
+    while (solution.evaluations < max_evaluations && lanes::any(open))
       {
-        const ReturnResidual R         = return_residual(flow_stress, p, g);
-        const double         beta      = R.hardening / p.three_mu;
-        const double         step      = R.value / (p.three_mu + R.hardening);
-        (R.value > 0. ? lower : upper) = g;
+        const ReturnResidual<Number> R = return_residual(flow_stress, p, g);
+        ++solution.evaluations;
+        const Number beta  = R.hardening / p.three_mu;
+        const Number step  = R.value / (p.three_mu + R.hardening);
+        const auto   below = R.value > 0.;
+        const auto   mild  = beta > -1.;
+        lower              = lanes::select(below, g, lower);
+        upper              = lanes::select(below, upper, g);
 
-        if (beta > -1. && std::abs(step) <= last_step * g)
-          return finish_return(p, R, g, step, evaluation);
-        if (std::abs(R.value) <= 4. * epsilon * p.trial_stress ||
-            upper - lower <= 4. * epsilon * upper)
-          return finish_return(p, R, g, 0., evaluation);
+        const auto last = mild & (lanes::abs(step) <= last_step * g);
+        const auto done =
+          open &
+          (last | (lanes::abs(R.value) <= 4. * epsilon * p.trial_stress) |
+           (upper - lower <= 4. * epsilon * upper));
+        finish_return(
+          p, R, g, lanes::select(last, step, Number()), done, solution);
+        open = open & !done;
 
-        double next = 0.;
-        if (beta > -1.)
-          next = g * logarithmic_step(beta, R.value / (p.three_mu * g));
-        if (!(next > lower && next < upper))
-          next = (lower > 0.) ? std::sqrt(lower) * std::sqrt(upper) :
-                                smallest_g_ratio * upper;
-        g = next;
+        const Number rho = R.value / (p.three_mu * g);
+        const Number next =
+          g * logarithmic_step(beta, lanes::select(open & mild, rho, Number()));
+        const Number halved =
+          lanes::select(lower > 0.,
+                        lanes::sqrt(lower) * lanes::sqrt(upper),
+                        smallest_g_ratio * upper);
+        const auto inside = mild & (next > lower) & (next < upper);
+        g = lanes::select(open, lanes::select(inside, next, halved), g);
       }
-    return {g, 0., 0., p.temperature, max_evaluations, false};
+    return solution;
   }
 } // namespace asperity
 

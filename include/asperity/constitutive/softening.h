@@ -1,16 +1,21 @@
 #ifndef asperity_constitutive_softening_h
 #define asperity_constitutive_softening_h
 
+#include <asperity/base/lanes.h>
+
 #include <cmath>
 
 namespace asperity
 {
   /** A function of one variable at a point, with its derivative there. */
-  struct ValueAndSlope
+  template <class Number>
+  struct BasicValueAndSlope
   {
-    double value;
-    double slope;
+    Number value;
+    Number slope;
   };
+
+  using ValueAndSlope = BasicValueAndSlope<double>;
 
   /**
    * How the temperature softens a flow stress: by the factor
@@ -28,19 +33,23 @@ namespace asperity
     double melting_temperature;    ///< T_m [K]
 
     /** The factor and its slope [1/K] at a temperature [K]. */
-    ValueAndSlope
-    factor(const double temperature) const
+    template <class Number>
+    BasicValueAndSlope<Number>
+    factor(const Number &temperature) const
     {
       const double range = melting_temperature - transition_temperature;
-      const double T     = (temperature - transition_temperature) / range;
-      if (T <= 0.)
-        return {1., 0.};
-      if (T >= 1.)
-        return {floor, 0.};
-      const double power = std::pow(T, exponent);
-      if (1. - power <= floor)
-        return {floor, 0.};
-      return {1. - power, -exponent * power / (T * range)};
+      const Number T     = (temperature - transition_temperature) / range;
+      const Number one   = lanes::broadcast<Number>(1.);
+      const auto   warm  = T > 0.;
+      if (!lanes::any(warm))
+        return {one, Number()};
+      const Number power =
+        lanes::pow(lanes::select(warm & (T < 1.), T, one), exponent);
+      const auto soft = warm & (T < 1.) & (1. - power > floor);
+      return {lanes::select(soft,
+                            1. - power,
+                            lanes::select(warm, Number() + floor, one)),
+              lanes::select(soft, -exponent * power / (T * range), Number())};
     }
 
     /** The temperature at which the factor is `strength` [K]. */

@@ -55,14 +55,30 @@ namespace asperity
     explicit Voce(const VoceParameters &parameters);
 
     /** See FlowStress. */
-    double
-    static_value(const double plastic_strain, const double temperature) const;
+    template <class Number>
+    Number
+    static_value(const Number &plastic_strain, const Number &temperature) const
+    {
+      return evaluate(plastic_strain, Number(), temperature).value;
+    }
 
     /** See FlowStress. */
-    FlowStressValue
-    evaluate(const double plastic_strain,
-             const double rate,
-             const double temperature) const;
+    template <class Number>
+    BasicFlowStressValue<Number>
+    evaluate(const Number &plastic_strain, const Number &, const Number &) const
+    {
+      const double range =
+        parameters.saturation_stress - parameters.yield_stress;
+      const Number decay =
+        lanes::exp(-parameters.saturation_rate * plastic_strain);
+      return {parameters.yield_stress +
+                parameters.linear_hardening * plastic_strain +
+                range * (1. - decay),
+              parameters.linear_hardening +
+                range * parameters.saturation_rate * decay,
+              Number(),
+              Number()};
+    }
 
   private:
     VoceParameters parameters;

@@ -11,6 +11,8 @@
 
 namespace asperity
 {
+  class ElementView;
+
   enum class Kinematics
   {
     plane_strain,
@@ -87,6 +89,16 @@ namespace asperity
 
   private:
     struct Scratch;
+
+    /** F at each point, from the displacement of the element's functions. */
+    void
+    fill_deformation(const ElementView &element, Scratch &scratch) const;
+
+    /** The law at each point, and the end of the step from it. */
+    bool
+    evaluate_law(const ElementView &element,
+                 const bool         with_tangent,
+                 Scratch           &scratch);
 
     bool
     integrate(const unsigned int            element,
