@@ -149,6 +149,29 @@ namespace
     Vector                             u, direction;
   };
 
+  // x = A X with A = (1.4, 0.3; -0.2, 0.9): lengths along the edge, whose
+  // tangent in the reference is (1, 0.04 (1 - xi)), change by |A t|/|t|.
+  TEST_P(ContactTerm, stretch_is_that_of_an_affine_motion)
+  {
+    const auto motion = PatchGeometry::from_map(*space, [](const Point<2> &p) {
+      const double x = p[0] + 0.05 * p[1] * p[1],
+                   y = p[1] * (1. + 0.02 * p[0] * (2. - p[0]));
+      return p + Point<2>(0.4 * x + 0.3 * y, -0.2 * x - 0.1 * y);
+    });
+    for (unsigned int a = 0; a < space->n_functions(); ++a)
+      for (unsigned int c = 0; c < 2; ++c)
+        u(displacement_dof(a, c)) = motion.offset[a][c];
+    const std::vector<double> stretch = contact->stretch(u);
+    for (unsigned int q = 0; q < stretch.size(); ++q)
+      {
+        const double slope = 0.04 * (1. - contact->table().parameter[q][0]);
+        EXPECT_NEAR(stretch[q],
+                    std::hypot(1.4 + 0.3 * slope, -0.2 + 0.9 * slope) /
+                      std::hypot(1., slope),
+                    1e-12);
+      }
+  }
+
   TEST_P(ContactTerm, residual_is_the_derivative_of_the_potential)
   {
     const double step   = 1e-5;

@@ -70,8 +70,10 @@ TEST(PocketScene, oil_that_finds_room_changes_nothing)
   parameters.lubrication.model = LubricantModel::none;
   const CompleteRun dry(parameters);
   ASSERT_EQ(wet.rows().size(), dry.rows().size());
+  // But for the last digits: another start of the step lets the return of a
+  // point end elsewhere within its tolerance.
   for (std::size_t i = 0; i < wet.rows().size(); ++i)
-    EXPECT_EQ(wet.rows()[i].T_x, dry.rows()[i].T_x) << i;
+    EXPECT_NEAR(wet.rows()[i].T_x, dry.rows()[i].T_x, 1e-9 * wet.load()) << i;
 }
 
 TEST(PocketScene, chip_floats_on_incompressible_oil)
