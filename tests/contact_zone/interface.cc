@@ -161,7 +161,7 @@ TEST(InterfaceOfScene, a_smaller_step_changes_little_though_k_is_of_its_start)
 // touches grows by the plasticity under it. The pressure over k that a flat
 // junction bears beside a shear of f k is, by slip lines (A. P. Green, J. Mech.
 // Phys. Solids 2 (1954) 197-211), 1 + pi/2 + acos f + sqrt(1 - f^2). What
-// touches is known to 3 % on this mesh and lags behind, by 2 to 9 % on one
+// touches is known to 3 % on this mesh and lags behind, by 1 to 9 % on one
 // twice as fine (tools/benchmarks); if it did not grow p would be 31 % off in
 // the end.
 TEST(InterfaceOfScene, junctions_grow_with_their_shear_as_slip_lines_say)

@@ -10,8 +10,8 @@ than m = 1), by `asperity characterize` and `asperity calibrate`. Everything els
 is predicted with it: the blasted rake face, the wet cuts at several fillings of
 the void with oil, and the tribometer over its velocity. The table goes to the
 screen in Markdown, measured_and_computed.png into FOLDER (default
-output/experiments). --shear-factor leaves the calibration out. About six minutes
-of one core.
+output/experiments). --shear-factor leaves the calibration out. About a quarter of
+an hour of one core.
 """
 
 import argparse
