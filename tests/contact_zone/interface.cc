@@ -117,7 +117,7 @@ TEST(InterfaceOfScene, hot_chip_that_touches_everywhere_slides_at_m_k)
   parameters.interface.law          = InterfaceShear::shear_factor;
   parameters.interface.shear_factor = 0.5;
   for (double &amplitude : parameters.tool.amplitudes)
-    amplitude *= 0.2;
+    amplitude *= 0.5;
   Scene      scene(parameters);
   SlidingRun run(parameters, scene);
   const auto strength = [&]() {
