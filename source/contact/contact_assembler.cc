@@ -21,7 +21,6 @@ namespace asperity
     , obstacle(std::move(obstacle))
     , options_(options)
     , law{options.penalty}
-    , outward(edge == Edge::bottom || edge == Edge::right ? 1. : -1.)
     , table_(tabulate_edge(*this->space,
                            geometry,
                            edge,
@@ -236,11 +235,7 @@ namespace asperity
         for (unsigned int q = 0; q < table_.points_per_element; ++q)
           {
             const unsigned int point = element.point(q);
-            // Before deformation the unit tangent, a turn of the normal.
-            const Tensor<1, 2> &normal = table_.normal[point];
-            Tensor<1, 2>        t;
-            t[0] = -outward * normal[1];
-            t[1] = outward * normal[0];
+            Tensor<1, 2>       t     = table_.tangent[point];
             element.add_stretch(q, u, t);
             result[point] = t.norm();
           }

@@ -309,6 +309,7 @@ namespace asperity
             normal[0] = outward * tangent[1];
             normal[1] = -outward * tangent[0];
             table.normal.push_back(normal);
+            table.tangent.push_back(tangent);
             table.JxW.push_back(length * (high[along] - low[along]) *
                                 quadrature.weight(q));
             const dealii::Tensor<2, 2> inverse_transposed =

@@ -112,10 +112,8 @@ namespace asperity
         {
           const ElementView  element(table, entry);
           const unsigned int i = element.point(q);
-          // Before deformation the unit tangent: the normal turned clockwise.
-          x[i]          = table.position[i];
-          stretch[i][0] = table.normal[i][1];
-          stretch[i][1] = -table.normal[i][0];
+          x[i]                 = table.position[i];
+          stretch[i]           = table.tangent[i];
           element.add_displacement(q, u, x[i]);
           element.add_stretch(q, u, stretch[i]);
           const auto   Y     = tool.derivatives(x[i][0] - tool_offset[0], 1);

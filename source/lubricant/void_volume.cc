@@ -113,9 +113,7 @@ namespace asperity
         {
           const ElementView  element(table, entry);
           const unsigned int i = element.point(q);
-          // Before deformation the unit tangent: the normal turned clockwise.
-          tangent[i][0] = table.normal[i][1];
-          tangent[i][1] = -table.normal[i][0];
+          tangent[i]           = table.tangent[i];
           element.add_displacement(q, u, point[i]);
           element.add_stretch(q, u, tangent[i]);
         }

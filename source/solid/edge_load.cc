@@ -139,13 +139,9 @@ namespace asperity
       {
         const unsigned int point = element.point(q);
 
-        // The derivative of x along the edge. Before deformation it is the
-        // unit tangent, a turn of the normal.
-        const Tensor<1, 2> &normal = table.normal[point];
-        Tensor<1, 2>        stretch;
-        stretch[0]    = -outward * normal[1];
-        stretch[1]    = outward * normal[0];
-        double radius = table.position[point][0];
+        // The derivative of x along the edge.
+        Tensor<1, 2> stretch = table.tangent[point];
+        double       radius  = table.position[point][0];
         element.add_stretch(q, u, stretch);
         for (unsigned int a = 0; a < n; ++a)
           radius += element.N(q, a) * u(element.dof(a, 0));

@@ -184,6 +184,9 @@ namespace
     const Tensor<1, 2> normal = table.normal[point];
     EXPECT_NEAR(normal.norm(), 1., 1e-14);
     EXPECT_NEAR(normal * tangent, 0., 1e-13);
+    EXPECT_NEAR((table.tangent[point] - tangent / tangent.norm()).norm(),
+                0.,
+                1e-14);
     for (unsigned int a = 0; a < n; ++a)
       {
         // The gradients are (derivative along the edge, along the normal).

@@ -168,7 +168,6 @@ namespace asperity
     std::shared_ptr<const RigidObstacle> obstacle;
     ContactOptions                       options_;
     ContactPressureLaw                   law;
-    double                               outward; ///< as tabulate_edge() counts
     BasisTable                           table_;
     TractionSpace                        tractions;
     std::optional<ShearTraction>         shear_;

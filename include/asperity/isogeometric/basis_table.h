@@ -55,6 +55,8 @@ namespace asperity
     std::vector<dealii::Point<2>> parameter; ///< (xi, eta)
     std::vector<dealii::Tensor<1, 2>>
       normal; ///< edges only: outward, reference
+    std::vector<dealii::Tensor<1, 2>>
+      tangent; ///< edges only: along the increasing parameter, unit, reference
   };
 
   /**
