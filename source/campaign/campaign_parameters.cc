@@ -139,6 +139,15 @@ namespace asperity
                        {"linear", Scale::linear}},
                       "Whether the process is fitted to ln(mu), for relative "
                       "errors and a law that stays positive, or to mu.");
+    parameters.choice(
+      "Pressure scale",
+      pressure_scale,
+      {{"pressure", PressureScale::as_it_is},
+       {"pressure over shear strength", PressureScale::over_strength}},
+      "What the process sees of an input Load/Pressure: the pressure, or "
+      "`pressure over shear strength` k of the chip at the temperature and "
+      "plastic strain of the point. The latter halves the error where what "
+      "touches grows over much of the range; it needs a chip that yields.");
     parameters.number("Largest trusted deviation",
                       largest_trusted_deviation,
                       Range::positive(),

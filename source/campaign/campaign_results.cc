@@ -277,7 +277,9 @@ namespace asperity
     description.n_profiles         = plan.n_profiles();
     description.topography_scatter = scatter_.total();
     description.shear_limit        = shear_limit;
-    description.mechanisms         = mechanisms_;
+    description.pressure_over_strength =
+      parameters.law.pressure_scale == PressureScale::over_strength;
+    description.mechanisms = mechanisms_;
 
     nlohmann::ordered_json &provenance = description.provenance;
     provenance["program"]              = version_json();

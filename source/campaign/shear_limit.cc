@@ -23,6 +23,12 @@ namespace asperity
     limit.exponent               = thermal.exponent;
     limit.transition_temperature = thermal.transition_temperature;
     limit.melting_temperature    = thermal.melting_temperature;
+    if (const auto hardening = chip->hardening_law())
+      {
+        limit.hardening_ratio    = hardening->ratio;
+        limit.hardening_exponent = hardening->exponent;
+        limit.strain_limit       = hardening->limit;
+      }
     return limit;
   }
 } // namespace asperity

@@ -117,6 +117,16 @@ namespace asperity
 
 
 
+  std::optional<PowerHardening>
+  JohnsonCook::hardening_law() const
+  {
+    return PowerHardening{parameters.B / parameters.A,
+                          parameters.n,
+                          parameters.strain_limit};
+  }
+
+
+
   std::optional<Softening>
   JohnsonCook::softening() const
   {

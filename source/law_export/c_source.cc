@@ -56,7 +56,7 @@ namespace asperity
     inputs(const ExportedNumbers &numbers)
     {
       std::vector<std::string> place, logarithm;
-      std::vector<double>      origin, span, length, lower, low, high;
+      std::vector<double>      origin, span, length, lower, upper, low, high;
       for (const auto &c : numbers.coordinates)
         {
           place.push_back(std::to_string(c.place));
@@ -65,6 +65,7 @@ namespace asperity
           span.push_back(c.span);
           length.push_back(c.length);
           lower.push_back(c.lower);
+          upper.push_back(c.upper);
           low.push_back(c.lower - c.margin);
           high.push_back(c.upper + c.margin);
         }
@@ -80,8 +81,8 @@ namespace asperity
              array("origin", "D", origin) + array("span", "D", span) +
              array("length", "D", length) +
              "/* its range, and what still counts as inside of that */\n" +
-             array("lower", "D", lower) + array("low_edge", "D", low) +
-             array("high_edge", "D", high) +
+             array("lower", "D", lower) + array("upper", "D", upper) +
+             array("low_edge", "D", low) + array("high_edge", "D", high) +
              "/* values at which tribmu() holds the further inputs, and a zero "
              "behind them */\n" +
              array("stated", "TRIBMU_FURTHER + 1", stated);
@@ -100,6 +101,25 @@ namespace asperity
                                 1.);
     }
 
+    /** Over what the fit sees the pressure. */
+    std::string
+    strength(const ExportedNumbers &numbers)
+    {
+      const ExportedNumbers::Strength &s = numbers.strength;
+      return "/* whether the fit sees p/k instead of p, and which inputs p, T "
+             "and the\n * strain are, D for none */\n" +
+             define("OVER_STRENGTH", s.is_used) +
+             define("P_INPUT", s.pressure) + define("T_INPUT", s.temperature) +
+             define("STRAIN_INPUT", s.strain) +
+             "/* k at a strain e over k_0: (1 + ratio min(e + added, "
+             "limit)^exponent)/hard_0 */\n" +
+             constant("hard_ratio", numbers.shear_limit.hardening_ratio) +
+             constant("hard_exponent", numbers.shear_limit.hardening_exponent) +
+             constant("hard_added", ShearLimit::strain_of_indentation) +
+             constant("hard_limit", numbers.shear_limit.strain_limit) +
+             constant("hard_0", s.hardening_of_k_0);
+    }
+
     std::string
     data(const ExportedNumbers &numbers)
     {
@@ -112,7 +132,7 @@ namespace asperity
              constant("factor", numbers.factor) +
              constant("largest_trusted_deviation",
                       numbers.largest_trusted_deviation) +
-             shear_limit(numbers.shear_limit);
+             shear_limit(numbers.shear_limit) + strength(numbers);
     }
 
     std::string

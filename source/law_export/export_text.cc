@@ -55,6 +55,7 @@ namespace asperity
              kernel_name(law.process().kernel()) + ", " + n + " runs" + left +
              ", fitted to " +
              (d.output_scale == Scale::logarithmic ? "ln(mu)" : "mu") +
+             (d.pressure_over_strength ? " over p/k instead of p" : "") +
              (d.output == "mu_end" ? " at the end of the runs." : ".");
     }
 

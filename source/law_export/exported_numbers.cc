@@ -2,20 +2,43 @@
 
 #include <asperity/base/quantity.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace asperity
 {
   namespace
   {
-    double
-    on_scale(const Scale scale, const double x)
+    std::size_t
+    find(const std::vector<LawInput> &inputs, const std::string &name)
     {
-      return scale == Scale::logarithmic ? std::log(x) : x;
+      std::size_t i = 0;
+      while (i < inputs.size() && inputs[i].name != name)
+        ++i;
+      return i;
+    }
+
+    /** k(eps) = hardening(eps) k(strain of k_0). */
+    ExportedNumbers::Strength
+    make_strength(const FrictionLawDescription &law)
+    {
+      if (!law.pressure_over_strength)
+        return {false, 0, law.inputs.size(), law.inputs.size(), 1.};
+      const ShearLimit &k = law.shear_limit;
+      return {true,
+              find(law.inputs, "Load/Pressure"),
+              find(law.inputs, "Load/Temperature"),
+              find(law.inputs, "Load/Plastic strain"),
+              1. +
+                k.hardening_ratio * std::pow(std::min(k.strain, k.strain_limit),
+                                             k.hardening_exponent)};
     }
 
     ExportedNumbers::Coordinate
-    make_coordinate(const LawInput &input, const unsigned int place)
+    make_coordinate(const LawInput       &input,
+                    const unsigned int    place,
+                    const LawCoordinates &seen,
+                    const std::size_t     i)
     {
       ExportedNumbers::Coordinate c;
       c.place       = place;
@@ -23,8 +46,8 @@ namespace asperity
       c.margin      = FrictionLaw::edge_tolerance * (input.upper - input.lower);
       c.upper       = input.upper;
       c.logarithmic = input.scale == Scale::logarithmic;
-      c.origin      = on_scale(input.scale, input.lower);
-      c.span        = on_scale(input.scale, input.upper) - c.origin;
+      c.origin      = seen.start(i);
+      c.span        = seen.extent(i);
       return c;
     }
   } // namespace
@@ -39,6 +62,7 @@ namespace asperity
     , largest_trusted_deviation(
         law.law().description().largest_trusted_deviation)
     , shear_limit(law.law().description().shear_limit)
+    , strength(make_strength(law.law().description()))
   {
     const std::vector<LawInput> &inputs = law.law().description().inputs;
     for (std::size_t i = 0; i < inputs.size(); ++i)
@@ -52,7 +76,8 @@ namespace asperity
                accepted_units(dimension_of(inputs[i].unit)).front(),
                law.fixed_values()[i]});
           }
-        coordinates.push_back(make_coordinate(inputs[i], place));
+        coordinates.push_back(
+          make_coordinate(inputs[i], place, law.law().coordinates(), i));
       }
     if (law.law().fitted() != nullptr)
       set(*law.law().fitted());
@@ -97,8 +122,6 @@ namespace asperity
                                     law.covariance};
     for (double &entry : fitted->covariance)
       entry *= formula.factor() * formula.factor();
-    coordinates[0].origin = 0.; // s is the logarithm itself
-    coordinates[0].span   = 1.;
   }
 
 

@@ -12,7 +12,7 @@ namespace asperity
 {
   /**
    * The numbers that generated source code evaluates a law with:
-   *   s_i = (g(x_i) - origin_i) / span_i / length_i,
+   *   s_i = (g(q_i) - origin_i) / span_i / length_i, q as LawCoordinates,
    *   mu = g^-1(offset + factor m(s)), and g by output scale.
    * For a Gaussian process
    *   r_j^2 = sum over i of (points_ji - s_i)^2,
@@ -33,6 +33,17 @@ namespace asperity
       double margin      = 0.; ///< that still counts as inside
       bool   logarithmic = false;
       double origin = 0., span = 1., length = 1.;
+    };
+
+    /** The shear strength that the fit may see the pressure over. */
+    struct Strength
+    {
+      bool is_used = false;
+
+      /** Coordinates; as many as there are if it is none of them. */
+      std::size_t pressure = 0, temperature = 0, strain = 0;
+
+      double hardening_of_k_0 = 1.; ///< 1 + ratio strain^n
     };
 
     /** An input beside pressure, velocity and temperature. */
@@ -59,6 +70,7 @@ namespace asperity
     double                  offset, factor;
     double                  largest_trusted_deviation;
     ShearLimit              shear_limit;
+    Strength                strength;
     bool                    has_deviation = true;
 
     std::optional<Fitted> fitted; ///< empty: a Gaussian process, which follows

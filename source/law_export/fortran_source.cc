@@ -61,7 +61,7 @@ namespace asperity
     scales(const ExportedNumbers &numbers)
     {
       std::vector<std::string> place, logarithm, origin, span, length;
-      std::vector<std::string> lower, low, high;
+      std::vector<std::string> lower, upper, low, high;
       for (const auto &c : numbers.coordinates)
         {
           place.push_back(std::to_string(c.place + 1));
@@ -70,13 +70,15 @@ namespace asperity
           span.push_back(fortran_number(c.span));
           length.push_back(fortran_number(c.length));
           lower.push_back(fortran_number(c.lower));
+          upper.push_back(fortran_number(c.upper));
           low.push_back(fortran_number(c.lower - c.margin));
           high.push_back(fortran_number(c.upper + c.margin));
         }
       return short_array("ITABLE", place) + short_array("LOGX", logarithm) +
              short_array("ORIGIN", origin) + short_array("SPAN", span) +
              short_array("LENGTH", length) + short_array("XLOWER", lower) +
-             short_array("XLOW", low) + short_array("XHIGH", high);
+             short_array("XUPPER", upper) + short_array("XLOW", low) +
+             short_array("XHIGH", high);
     }
 
     std::string
@@ -90,19 +92,33 @@ namespace asperity
     }
 
     std::string
+    parameter(const std::string &name, const double value)
+    {
+      return statement("PARAMETER (" + name + "=" + fortran_number(value) +
+                       ")");
+    }
+
+    std::string
+    hardening(const ExportedNumbers &numbers)
+    {
+      const ShearLimit &limit = numbers.shear_limit;
+      return parameter("RATIO", limit.hardening_ratio) +
+             parameter("XN", limit.hardening_exponent) +
+             parameter("ADDED", ShearLimit::strain_of_indentation) +
+             parameter("EMAX", limit.strain_limit) +
+             parameter("H0", numbers.strength.hardening_of_k_0);
+    }
+
+    std::string
     limit(const ShearLimit &limit)
     {
       const bool softens = limit.k_0 > 0. && limit.softens;
-      const auto line    = [](const std::string &name, const double value) {
-        return statement("PARAMETER (" + name + "=" + fortran_number(value) +
-                         ")");
-      };
-      return line("XK0", limit.k_0) + line("XM", limit.exponent) +
-             line("T0", limit.transition_temperature) +
-             line("DT",
-                  softens ?
-                    limit.melting_temperature - limit.transition_temperature :
-                    1.);
+      return parameter("XK0", limit.k_0) + parameter("XM", limit.exponent) +
+             parameter("T0", limit.transition_temperature) +
+             parameter("DT",
+                       softens ? limit.melting_temperature -
+                                   limit.transition_temperature :
+                                 1.);
     }
 
     std::string
@@ -152,6 +168,8 @@ namespace asperity
         return factor(numbers);
       if (block == "LIMIT")
         return limit(numbers.shear_limit);
+      if (block == "HARDENING")
+        return hardening(numbers);
       if (block == "STATED")
         return stated(numbers);
       if (block == "CONSTANTS")
@@ -222,12 +240,16 @@ namespace asperity
       {"D", numbers.coordinates.size()},
       {"NQ", numbers.further.size()},
       {"N", numbers.weights.size()},
-      {"KERNEL", numbers.kernel_number()}};
+      {"KERNEL", numbers.kernel_number()},
+      {"IPRESS", numbers.strength.pressure + 1},
+      {"ITEMP", numbers.strength.temperature + 1},
+      {"ISTRN", numbers.strength.strain + 1}};
     const std::map<std::string, bool> flags = {
       {"LOGMU", numbers.output_scale == Scale::logarithmic},
       {"HASDEV", numbers.has_deviation},
       {"HASK", numbers.shear_limit.k_0 > 0.},
-      {"SOFTEN", numbers.shear_limit.softens}};
+      {"SOFTEN", numbers.shear_limit.softens},
+      {"OVERK", numbers.strength.is_used}};
     const std::vector<std::string> words = split(block, ' ');
     std::string                    text;
     for (std::size_t i = 1; i < words.size(); ++i)

@@ -97,12 +97,14 @@ namespace asperity
       , posterior(law.process().kernel(),
                   law.process().hyperparameters(),
                   joined(law.process().data().x,
-                         map_to_unit(law.description().inputs, occupied),
-                         candidates))
+                         law.coordinates().transform(occupied),
+                         law.coordinates().transform(
+                           map_to_box(law.description().inputs, candidates))))
     {
       const TrainingData       &data = law.process().data();
-      const std::vector<double> unit =
-        map_to_unit(law.description().inputs, occupied);
+      const std::vector<double> known =
+        map_to_unit(law.description().inputs,
+                    joined(law.data().x, occupied, {}));
       const std::size_t n = data.y.size();
       for (std::size_t i = 0; i < first; ++i)
         {
@@ -110,7 +112,7 @@ namespace asperity
           posterior.make_known(i,
                                noise +
                                  (is_noisy ? data.known_variance[i] : 0.));
-          exclude_neighbours(i < n ? &data.x[i * d] : &unit[(i - n) * d]);
+          exclude_neighbours(&known[i * d]);
         }
       weigh(law);
       correlate_with_references();

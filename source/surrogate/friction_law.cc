@@ -102,33 +102,10 @@ namespace asperity
 
 
 
-  std::string
-  to_string(const Scale scale)
-  {
-    return scale == Scale::linear ? "linear" : "logarithmic";
-  }
-
-
-
   bool
   is_friction_coefficient(const std::string &output)
   {
     return output == "mu" || output == "mu_end";
-  }
-
-
-
-  double
-  ShearLimit::operator()(const double temperature) const
-  {
-    if (!softens || temperature <= transition_temperature)
-      return k_0;
-    if (temperature >= melting_temperature)
-      return 0.;
-    return k_0 *
-           (1. - std::pow((temperature - transition_temperature) /
-                            (melting_temperature - transition_temperature),
-                          exponent));
   }
 
 
@@ -166,11 +143,10 @@ namespace asperity
     check_values(description, data, origin);
     check_points(description, data, origin);
 
-    for (const LawInput &input : description.inputs)
-      {
-        start.push_back(transform(input.scale, input.lower));
-        extent.push_back(transform(input.scale, input.upper) - start.back());
-      }
+    coordinates_ = LawCoordinates(description.inputs,
+                                  description.shear_limit,
+                                  description.pressure_over_strength,
+                                  origin);
   }
 
 
@@ -180,19 +156,7 @@ namespace asperity
   {
     regression = std::make_shared<const PiecewisePowerRegression>(
       law, description_.inputs[0].upper, description_.calibration);
-    start  = {0.}; // z is the logarithm itself
-    extent = {1.};
-  }
-
-
-
-  double
-  FrictionLaw::scaled(const double x, const std::size_t input) const
-  {
-    const LawInput &in = description_.inputs[input];
-    const double    inside =
-      in.scale == Scale::logarithmic && x <= 0. ? in.lower : x;
-    return (transform(in.scale, inside) - start[input]) / extent[input];
+    coordinates_ = LawCoordinates::logarithm(description_.inputs[0]);
   }
 
 
@@ -203,12 +167,10 @@ namespace asperity
     const std::size_t d = description_.inputs.size(), n = data_.y.size();
     TrainingData      result;
     result.n_inputs = d;
-    result.x.resize(n * d);
+    result.x        = coordinates_.transform(data_.x);
     result.y.resize(n);
     for (std::size_t j = 0; j < n; ++j)
       {
-        for (std::size_t i = 0; i < d; ++i)
-          result.x[j * d + i] = scaled(data_.x[j * d + i], i);
         const double y = data_.y[j];
         result.y[j] =
           (transform(description_.output_scale, y) - offset_) / factor_;
@@ -253,8 +215,7 @@ namespace asperity
   {
     const std::size_t   d = description_.inputs.size();
     std::vector<double> z(d);
-    for (std::size_t i = 0; i < d; ++i)
-      z[i] = scaled(x[i], i);
+    coordinates_.transform(x, z.data());
 
     LawPrediction result;
     result.gradient.resize(d);
@@ -280,15 +241,11 @@ namespace asperity
              result.surface_lower,
              result.surface_upper);
 
-    // d mean / d value, times d value / d z, times d z / d x
+    // d mean / d value, times d value / d z
     const double slope = is_logarithmic ? factor_ * result.mean : factor_;
-    for (std::size_t i = 0; i < d; ++i)
-      {
-        double dz_dx = 1. / extent[i];
-        if (description_.inputs[i].scale == Scale::logarithmic)
-          dz_dx = x[i] > 0. ? dz_dx / x[i] : 0.;
-        result.gradient[i] *= slope * dz_dx;
-      }
+    for (double &derivative : result.gradient)
+      derivative *= slope;
+    coordinates_.pull_back(x, result.gradient.data());
     result.trusted =
       is_inside(x) && std::isfinite(result.mean) &&
       std::isfinite(result.deviation) &&
@@ -315,8 +272,7 @@ namespace asperity
     const std::size_t   d = description_.inputs.size();
     std::vector<double> z(n * d);
     for (std::size_t j = 0; j < n; ++j)
-      for (std::size_t i = 0; i < d; ++i)
-        z[j * d + i] = scaled(x[j * d + i], i);
+      coordinates_.transform(x + j * d, &z[j * d]);
     regression->means(n, z.data(), result);
     for (std::size_t j = 0; j < n; ++j)
       result[j] = unscaled(result[j]);
@@ -373,6 +329,14 @@ namespace asperity
   FrictionLaw::fitted() const
   {
     return dynamic_cast<const PiecewisePowerRegression *>(regression.get());
+  }
+
+
+
+  const LawCoordinates &
+  FrictionLaw::coordinates() const
+  {
+    return coordinates_;
   }
 
 

@@ -16,10 +16,11 @@ namespace asperity
     using Json = nlohmann::ordered_json;
 
     const char *const format_name    = "asperity friction law";
-    constexpr int     format_version = 5;
+    constexpr int     format_version = 6;
 
     /** Without checksum, mechanisms, references of inputs and `softens`;
-     *  version 4 has no `model`, since all are Gaussian processes. */
+     *  version 4 has no `model`, since all are Gaussian processes; version 5
+     *  no hardening of the shear limit and no pressure over it. */
     constexpr int oldest_version = 3;
 
     const char *const of_process = "Gaussian process";
@@ -61,6 +62,16 @@ namespace asperity
       limit.rate                = node.child("rate").number();
       if (version > 3)
         limit.softens = node.child("softens").flag();
+      if (version > 5)
+        {
+          const LawNode hardening = node.child("hardening");
+          limit.hardening_ratio =
+            hardening.child("ratio").number_above(0., true);
+          limit.hardening_exponent =
+            hardening.child("exponent").number_above(0., false);
+          limit.strain_limit =
+            hardening.child("strain_limit").number_above(0., false);
+        }
       if (limit.k_0 > 0. && limit.softens &&
           !(limit.transition_temperature < limit.melting_temperature))
         node.child("melting_temperature").fail("more than the transition's");
@@ -76,7 +87,11 @@ namespace asperity
               {"melting_temperature", limit.melting_temperature},
               {"strain", limit.strain},
               {"rate", limit.rate},
-              {"softens", limit.softens}};
+              {"softens", limit.softens},
+              {"hardening",
+               {{"ratio", limit.hardening_ratio},
+                {"exponent", limit.hardening_exponent},
+                {"strain_limit", limit.strain_limit}}}};
     }
 
     FrictionLawDescription
@@ -105,6 +120,9 @@ namespace asperity
         law.child("leave_one_out_error").number_above(0., true);
       result.calibration = law.child("calibration").number_above(0., false);
       result.shear_limit = read_shear_limit(law.child("shear_limit"), version);
+      if (version > 5)
+        result.pressure_over_strength =
+          law.child("pressure_over_strength").flag();
       if (version > 3)
         for (const LawNode &node : law.child("mechanisms").children())
           result.mechanisms.push_back(node.name());
@@ -281,9 +299,10 @@ namespace asperity
     law["leave_one_out_error"]       = description_.leave_one_out_error;
     law["calibration"]               = description_.calibration;
     law["shear_limit"] = shear_limit_to_json(description_.shear_limit);
-    law["mechanisms"]  = description_.mechanisms;
-    law["warnings"]    = description_.warnings;
-    law["provenance"]  = description_.provenance;
+    law["pressure_over_strength"] = description_.pressure_over_strength;
+    law["mechanisms"]             = description_.mechanisms;
+    law["warnings"]               = description_.warnings;
+    law["provenance"]             = description_.provenance;
 
     const std::size_t d    = description_.inputs.size();
     Json              rows = Json::array();

@@ -57,6 +57,33 @@ TEST(ShearLimit, is_reached_in_flow_and_infinite_for_elastic_laws)
 
 
 
+// Exported laws know no more than hardening_law() of the plastic strain.
+TEST(ShearLimit, of_Johnson_and_Cook_depends_on_strain_by_the_hardening_alone)
+{
+  unsigned int n = 0;
+  for (const auto &law : all_laws())
+    if (const auto hardening = law->hardening_law())
+      {
+        ++n;
+        const double k_0 = law->shear_limit(0., 1e3, 500.);
+        for (const double strain : {1e-3, 0.2, 1.9, 30.})
+          {
+            const ValueAndSlope factor = hardening->factor(strain);
+            EXPECT_NEAR(law->shear_limit(strain, 1e3, 500.),
+                        factor.value * k_0,
+                        1e-12 * k_0);
+            EXPECT_NEAR(factor.slope,
+                        (hardening->factor(strain + 1e-6).value -
+                         hardening->factor(strain - 1e-6).value) /
+                          2e-6,
+                        1e-4 * factor.slope);
+          }
+      }
+  EXPECT_GT(n, 0u);
+}
+
+
+
 // Exported laws and messages about melting know no more than softening().
 TEST(ShearLimit, depends_on_temperature_by_the_softening_alone)
 {

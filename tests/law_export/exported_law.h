@@ -32,6 +32,8 @@ namespace asperity_test
     Scale      p_scale      = Scale::linear;
     Scale      v_scale      = Scale::logarithmic;
     bool       has_wetting  = false;
+    bool       over_k       = false; ///< sees p over the strength
+    bool       has_strain   = false;
 
     std::string
     name() const
@@ -39,7 +41,8 @@ namespace asperity_test
       return "kernel " + std::to_string(static_cast<int>(kernel)) +
              ", output " + std::to_string(static_cast<int>(output_scale)) +
              ", p " + std::to_string(static_cast<int>(p_scale)) + ", v " +
-             std::to_string(static_cast<int>(v_scale));
+             std::to_string(static_cast<int>(v_scale)) +
+             (over_k ? ", p over k" : "");
     }
   };
 
@@ -50,7 +53,19 @@ namespace asperity_test
     {KernelKind::matern_5_2,
      Scale::logarithmic,
      Scale::linear,
-     Scale::logarithmic}};
+     Scale::logarithmic},
+    {KernelKind::matern_5_2,
+     Scale::logarithmic,
+     Scale::linear,
+     Scale::linear,
+     false,
+     true},
+    {KernelKind::matern_3_2,
+     Scale::linear,
+     Scale::logarithmic,
+     Scale::linear,
+     false,
+     true}};
 
   /** A smooth law over the ranges of Lee (2025), section 2.3. */
   inline double
@@ -72,13 +87,20 @@ namespace asperity_test
     if (kind.has_wetting)
       result.inputs.insert(result.inputs.begin() + 1,
                            {"Lubrication/Wetting", "Wetting", "1", 0., 1.});
-    result.kernel                = kind.kernel;
-    result.output_scale          = kind.output_scale;
-    result.n_profiles            = 3;
-    result.topography_scatter    = 0.2;
-    result.shear_limit           = {6e8, 1.3558, 293.15, 1773.15, 1., 1e4};
-    result.mechanisms            = {"ploughing", "oil"};
-    result.provenance["surface"] = "blasted.x3p";
+    if (kind.has_strain)
+      result.inputs.push_back(
+        {"Load/Plastic strain", "Plasticstrain", "1", 0., 2.});
+    result.pressure_over_strength = kind.over_k;
+    result.kernel                 = kind.kernel;
+    result.output_scale           = kind.output_scale;
+    result.n_profiles             = 3;
+    result.topography_scatter     = 0.2;
+    result.shear_limit            = {6e8, 1.3558, 293.15, 1773.15, 1., 1e4};
+    result.shear_limit.hardening_ratio    = 2.4;
+    result.shear_limit.hardening_exponent = 0.28;
+    result.shear_limit.strain_limit       = 1.5;
+    result.mechanisms                     = {"ploughing", "oil"};
+    result.provenance["surface"]          = "blasted.x3p";
     // what would end a comment in C, or a line of it
     result.provenance["note"] =
       std::string("*/ int x; /* ") + std::string(90, 'x') + " \n \"quoted\" \\";
@@ -100,9 +122,11 @@ namespace asperity_test
           at.push_back(law.inputs[i].lower +
                        unit[i] * (law.inputs[i].upper - law.inputs[i].lower));
         x.insert(x.end(), at.begin(), at.end());
-        const double wetting = kind.has_wetting ? at[1] : 0.;
-        const double scatter = 0.01 * (unit.back() - 0.5);
-        y.push_back(formula(at[0], at[at.size() - 2], at.back(), wetting) *
+        const double      wetting = kind.has_wetting ? at[1] : 0.;
+        const double      scatter = 0.01 * (unit.back() - 0.5);
+        const std::size_t v       = kind.has_wetting ? 2 : 1;
+        y.push_back(formula(at[0], at[v], at[v + 1], wetting) *
+                    (1. + 0.1 * (kind.has_strain ? at[3] : 0.)) *
                     (1. + scatter));
       }
     return FrictionLaw::train(law, x, y);

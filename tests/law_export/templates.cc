@@ -169,9 +169,10 @@ int main(void)
    20 END
 )";
 
-  /** Points p, v, T and wetting, which goes a little beyond its range. */
+  /** Points p, v, T and a further input, which goes a little beyond its range.
+   */
   std::vector<std::vector<double>>
-  points_with_wetting(const std::size_t n)
+  points_with_further(const std::size_t n)
   {
     std::vector<std::vector<double>> points;
     for (std::size_t j = 0; j < n; ++j)
@@ -185,20 +186,22 @@ int main(void)
     return points;
   }
 
-  /** A row of a driver against the law, whose own order has the wetting behind
-   *  the pressure. */
+  /** A row of a driver, p, v, T and the further input, against the law.
+   *  @param order where the law has each of them */
   void
-  expect_answer(const std::vector<double> &row,
-                const std::vector<double> &point,
-                const FrictionLaw         &law)
+  expect_answer(const std::vector<double>         &row,
+                const std::vector<double>         &point,
+                const FrictionLaw                 &law,
+                const std::array<unsigned int, 4> &order)
   {
-    const std::vector<double> x  = {point[0], point[3], point[1], point[2]};
-    const LawPrediction       at = law.predict(x.data());
+    std::vector<double> x(4);
+    for (unsigned int c = 0; c < 4; ++c)
+      x[order[c]] = point[c];
+    const LawPrediction at = law.predict(x.data());
     EXPECT_NEAR(row[0], at.mean, 1e-11 * at.mean);
-    const double gradient[] = {at.gradient[0],
-                               at.gradient[2],
-                               at.gradient[3],
-                               at.gradient[1]};
+    std::array<double, 4> gradient;
+    for (unsigned int c = 0; c < 4; ++c)
+      gradient[c] = at.gradient[order[c]];
     for (unsigned int c = 0; c < 4; ++c)
       {
         const double scale = c < 3 ? derivative_scale(at.mean, c) : at.mean;
@@ -209,6 +212,43 @@ int main(void)
     EXPECT_EQ(row[5] == 1., law.is_inside(x.data()));
     EXPECT_NEAR(row[6], at.deviation, 1e-10 * at.mean);
   }
+  void
+  expect_answers(const LawKind                     &kind,
+                 const std::string                 &further,
+                 const std::array<unsigned int, 4> &order)
+  {
+    const FrictionLaw     law = train(kind, 60);
+    const Folder          folder;
+    const ContactPointLaw stated(law, {{further, 0.35}});
+    folder.write("tribmu.h", c_header(stated));
+    folder.write("tribmu.c", c_source(stated, true));
+    folder.write("tribmu.f", fortran_source(stated, true));
+    folder.write("driver.c", further_c_driver);
+    folder.write("driver.f", further_fortran_driver);
+    const auto  points = points_with_further(50);
+    std::string text;
+    for (const auto &point : points)
+      {
+        for (const double x : point)
+          text += exact(x) + " ";
+        text += "\n";
+      }
+    folder.write("points.txt", text);
+    for (
+      const std::string compile :
+      {"gcc -std=c99 -pedantic -Wall -Wextra -Werror -O1 -o driver driver.c "
+       "tribmu.c -lm",
+       "gfortran -std=legacy -ffixed-form -ffixed-line-length-72 -Wall -Wextra "
+       "-Werror -O1 -c tribmu.f && gfortran -o driver tribmu.o driver.f"})
+      {
+        folder.run(compile);
+        folder.run("./driver <points.txt >answers.txt");
+        const auto rows = folder.rows("answers.txt");
+        ASSERT_EQ(rows.size(), points.size());
+        for (std::size_t j = 0; j < points.size(); ++j)
+          expect_answer(rows[j], points[j], law, order);
+      }
+  }
 } // namespace
 
 TEST(ExportedSource, takes_further_inputs_as_arguments)
@@ -216,37 +256,20 @@ TEST(ExportedSource, takes_further_inputs_as_arguments)
   if (!has_program("gcc") || !has_program("gfortran"))
     GTEST_SKIP() << "gcc or gfortran was not found";
   LawKind kind;
-  kind.has_wetting          = true;
-  const FrictionLaw     law = train(kind, 60);
-  const Folder          folder;
-  const ContactPointLaw stated(law, {{"Wetting", 0.35}});
-  folder.write("tribmu.h", c_header(stated));
-  folder.write("tribmu.c", c_source(stated, true));
-  folder.write("tribmu.f", fortran_source(stated, true));
-  folder.write("driver.c", further_c_driver);
-  folder.write("driver.f", further_fortran_driver);
-  const auto  points = points_with_wetting(50);
-  std::string text;
-  for (const auto &point : points)
+  kind.has_wetting = true; // behind the pressure
+  expect_answers(kind, "Wetting", {{0, 2, 3, 1}});
+}
+
+TEST(ExportedSource, sees_the_pressure_over_the_strength_of_a_strained_chip)
+{
+  if (!has_program("gcc") || !has_program("gfortran"))
+    GTEST_SKIP() << "gcc or gfortran was not found";
+  LawKind kind;
+  kind.over_k = kind.has_strain = true;
+  for (const Scale scale : {Scale::linear, Scale::logarithmic})
     {
-      for (const double x : point)
-        text += exact(x) + " ";
-      text += "\n";
-    }
-  folder.write("points.txt", text);
-  for (
-    const std::string compile :
-    {"gcc -std=c99 -pedantic -Wall -Wextra -Werror -O1 -o driver driver.c "
-     "tribmu.c -lm",
-     "gfortran -std=legacy -ffixed-form -ffixed-line-length-72 -Wall -Wextra "
-     "-Werror -O1 -c tribmu.f && gfortran -o driver tribmu.o driver.f"})
-    {
-      folder.run(compile);
-      folder.run("./driver <points.txt >answers.txt");
-      const auto rows = folder.rows("answers.txt");
-      ASSERT_EQ(rows.size(), points.size());
-      for (std::size_t j = 0; j < points.size(); ++j)
-        expect_answer(rows[j], points[j], law);
+      kind.p_scale = scale;
+      expect_answers(kind, "Plasticstrain", {{0, 1, 2, 3}});
     }
 }
 

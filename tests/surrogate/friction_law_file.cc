@@ -135,7 +135,7 @@ TEST(FrictionLawFile, every_entry_is_needed)
   std::vector<std::string> pointers;
   collect_pointers(good_document(), "", pointers);
   collect_pointers(good_document()["inputs"][1], "/inputs/1", pointers);
-  EXPECT_EQ(pointers.size(), 44u);
+  EXPECT_EQ(pointers.size(), 49u);
   for (const std::string &pointer : pointers)
     {
       Json       document = good_document();
@@ -161,7 +161,7 @@ TEST(FrictionLawFile, wrong_entries_are_named)
                     law = "' of the friction law is ";
   EXPECT_EQ(message_with("/version", 1),
             by + "'version" + law +
-              "1; 3 to 5, which this program reads, is expected.");
+              "1; 3 to 6, which this program reads, is expected.");
   EXPECT_EQ(message_with("/kernel", "cubic"),
             by + "'kernel" + law +
               "\"cubic\"; 'rbf' or 'matern_3_2' or 'matern_5_2' is expected.");

@@ -62,12 +62,21 @@ namespace asperity
     mu_end ///< at the end of the run
   };
 
+  /** What the process of the law sees of the pressure. */
+  enum class PressureScale
+  {
+    as_it_is,
+    over_strength ///< p / k(T, eps), see LawCoordinates
+  };
+
   struct LawParameters
   {
     LawOutput  output                    = LawOutput::mu;
     KernelKind kernel                    = KernelKind::matern_3_2;
     Scale      output_scale              = Scale::logarithmic;
     double     largest_trusted_deviation = 0.05;
+
+    PressureScale pressure_scale = PressureScale::as_it_is;
 
     /** At which the shear limit of the chip is taken. */
     double shear_strain = 1.;

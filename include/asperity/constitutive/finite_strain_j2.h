@@ -72,6 +72,9 @@ namespace asperity
                 const double rate,
                 const double temperature) const override;
 
+    std::optional<PowerHardening>
+    hardening_law() const override;
+
     std::optional<Softening>
     softening() const override;
 
@@ -228,6 +231,15 @@ namespace asperity
                                     const double temperature) const
   {
     return flow_stress.shear_limit(plastic_strain, rate, temperature);
+  }
+
+
+
+  template <class Flow>
+  std::optional<PowerHardening>
+  FiniteStrainJ2<Flow>::hardening_law() const
+  {
+    return flow_stress.hardening_law();
   }
 
 

@@ -53,6 +53,13 @@ namespace asperity
              std::sqrt(3.);
     }
 
+    /** Empty if the flow stress does not harden by a power of the strain. */
+    std::optional<PowerHardening>
+    hardening_law() const
+    {
+      return {};
+    }
+
     /** Empty if the flow stress does not depend on the temperature. */
     std::optional<Softening>
     softening() const

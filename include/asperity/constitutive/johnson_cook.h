@@ -89,6 +89,10 @@ namespace asperity
              const Number &rate,
              const Number &temperature) const;
 
+    /** See FlowStress. */
+    std::optional<PowerHardening>
+    hardening_law() const;
+
     /** The thermal factor; see FlowStress. */
     std::optional<Softening>
     softening() const;

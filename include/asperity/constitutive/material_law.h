@@ -114,6 +114,14 @@ namespace asperity
       return std::numeric_limits<double>::infinity();
     }
 
+    /** How plastic strain raises the shear limit; empty if it does not, or by
+     *  another formula. */
+    virtual std::optional<PowerHardening>
+    hardening_law() const
+    {
+      return {};
+    }
+
     /** How the temperature weakens the shear limit; empty if it does not. */
     virtual std::optional<Softening>
     softening() const

@@ -3,6 +3,7 @@
 
 #include <asperity/base/lanes.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace asperity
@@ -16,6 +17,23 @@ namespace asperity
   };
 
   using ValueAndSlope = BasicValueAndSlope<double>;
+
+  /** How plastic strain hardens a flow stress: by the factor 1 + ratio
+   *  min(eps, limit)^exponent, B/A and n of Johnson and Cook (1983). */
+  struct PowerHardening
+  {
+    double ratio    = 0.;
+    double exponent = 1.;
+    double limit    = 1.; ///< strain from which on the factor is constant
+
+    /** The factor and its slope at an equivalent plastic strain above 0. */
+    ValueAndSlope
+    factor(const double strain) const
+    {
+      const double power = ratio * std::pow(std::min(strain, limit), exponent);
+      return {1. + power, strain < limit ? exponent * power / strain : 0.};
+    }
+  };
 
   /**
    * How the temperature softens a flow stress: by the factor

@@ -2,6 +2,7 @@
 #define asperity_surrogate_friction_law_h
 
 #include <asperity/surrogate/gaussian_process.h>
+#include <asperity/surrogate/law_coordinates.h>
 #include <asperity/surrogate/piecewise_power_law.h>
 
 #include <nlohmann/json.hpp>
@@ -13,53 +14,6 @@
 
 namespace asperity
 {
-  /** On which scale a quantity is nearly linear for the Gaussian process. */
-  enum class Scale
-  {
-    linear,
-    logarithmic
-  };
-
-  /** "linear" or "logarithmic", as in the model file. */
-  std::string
-  to_string(const Scale scale);
-
-  /**
-   * An input of a law, with the box of its training data. The process sees
-   * z = (g(x) - g(lower)) / (g(upper) - g(lower)), g = identity or logarithm.
-   */
-  struct LawInput
-  {
-    std::string name;   ///< path of the scene's entry, "Load/Pressure"
-    std::string symbol; ///< "p", "v", "T", or the key without blanks
-    std::string unit;   ///< for people, "MPa"; all numbers here are SI
-    double      lower = 0., upper = 1.;
-    Scale       scale = Scale::linear;
-
-    /** At which exports hold it that have no argument for it; SI. */
-    std::optional<double> reference = {};
-  };
-
-  /**
-   * Shear strength of the chip, the limit of tau in the sticking zone (Zorev):
-   * k(T) = k_0 (1 - T*^m), T* = (T - T_transition) / (T_melt - T_transition) in
-   * [0, 1], or k_0 at all temperatures; k_0 is the flow stress over sqrt(3) at
-   * the strain and rate that are stated and below T_transition.
-   */
-  struct ShearLimit
-  {
-    double k_0                    = 0.;   ///< [Pa]; 0: unknown
-    double exponent               = 1.;   ///< m
-    double transition_temperature = 0.;   ///< [K]
-    double melting_temperature    = 0.;   ///< [K]
-    double strain                 = 0.;   ///< of k_0
-    double rate                   = 0.;   ///< of k_0 [1/s]
-    bool   softens                = true; ///< false: k is k_0 at all T
-
-    double
-    operator()(const double temperature) const;
-  };
-
   /** What a law says at one point; SI. */
   struct LawPrediction
   {
@@ -116,6 +70,9 @@ namespace asperity
     double calibration = 1.;
 
     ShearLimit shear_limit;
+
+    /** Whether the process sees p / k instead of p, see LawCoordinates. */
+    bool pressure_over_strength = false;
 
     /** What makes the friction, see mechanisms_sentence(); empty: not known. */
     std::vector<std::string> mechanisms;
@@ -218,6 +175,10 @@ namespace asperity
     const PiecewisePowerRegression *
     fitted() const;
 
+    /** What the process or the formula sees of the inputs. */
+    const LawCoordinates &
+    coordinates() const;
+
     /** value of the process or the formula = (g(y) - offset) / factor */
     double
     offset() const;
@@ -255,10 +216,6 @@ namespace asperity
     TrainingData
     scaled_data() const;
 
-    /** z of one input. */
-    double
-    scaled(const double x, const std::size_t input) const;
-
     /** Mean of |error| / value of each training point predicted by the others.
      */
     double
@@ -278,7 +235,7 @@ namespace asperity
     LawData                           data_;
     std::shared_ptr<const Regression> regression;
     double                            offset_ = 0., factor_ = 1.;
-    std::vector<double>               start, extent; ///< of g(x)
+    LawCoordinates                    coordinates_;
   };
 } // namespace asperity
 
