@@ -56,8 +56,11 @@ namespace asperity
         {"wave transits of the chip during the load ramp",
          transits,
          "above 10 the chip is in equilibrium at every moment: quasi-static"});
+      // A chip that turns back at once has no inertia.
       audit.inertia =
-        transits >= 10. ? Inertia::quasi_static : Inertia::dynamic;
+        transits >= 10. || parameters.protocol.reversal_distance > 0. ?
+          Inertia::quasi_static :
+          Inertia::dynamic;
 
       const double v        = parameters.load.velocity;
       const double momentum = scene.law->density() * v * v;

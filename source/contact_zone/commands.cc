@@ -111,16 +111,23 @@ namespace asperity
     }
 
     void
-    print_result(const SlidingRun               &run,
-                 const double                    scene_length,
-                 const SceneParameters          &parameters,
-                 const std::vector<std::string> &warnings,
-                 const double                    seconds)
+    print_result(const SlidingRun                   &run,
+                 const double                        scene_length,
+                 const SceneParameters              &parameters,
+                 const std::optional<ErrorEstimate> &error,
+                 const std::vector<std::string>     &warnings,
+                 const double                        seconds)
     {
       const FrictionResult friction = run.friction();
       std::cout << std::setprecision(4) << "mu = " << friction.mu << " +- "
-                << friction.spread << " (spread over time), at the end "
-                << friction.mu_end << ", contact fraction "
+                << friction.spread << " (spread over time)";
+      if (error)
+        std::cout << " +- " << std::setprecision(2)
+                  << error->total() * std::abs(friction.mu)
+                  << " (numerics: mesh " << 100. * error->mesh << " %, steps "
+                  << 100. * error->step << " %, penalty "
+                  << 100. * error->penalty << " %)" << std::setprecision(4);
+      std::cout << ", at the end " << friction.mu_end << ", contact fraction "
                 << friction.contact_fraction << "\n";
       if (parameters.interface.law != InterfaceShear::none)
         std::cout << "of it " << friction.ploughing << " by ploughing, "
@@ -219,6 +226,60 @@ namespace asperity
         }
     }
 
+    std::string
+    per_cent(const double share)
+    {
+      return format_quantity(100. * share, "1", 2) + " %";
+    }
+
+    /** What makes the largest part of an error, and what makes it smaller. */
+    std::string
+    remedy_of(const ErrorEstimate &error)
+    {
+      const std::string source = error.largest();
+      return source == "mesh" ?
+               "mesh, for which Mesh/Spans and Refinement levels help" :
+             source == "step" ?
+               "time steps, for which Protocol/Slide steps and Ramp steps help" :
+               "penalty, for which Contact/Penalty factor helps";
+    }
+
+    /** The numerical error of mu if it is wanted and can be told. */
+    std::optional<ErrorEstimate>
+    estimate(const SceneParameters    &parameters,
+             const SlidingRun         &run,
+             ProgressLine             &progress,
+             std::vector<std::string> &warnings)
+    {
+      const AccuracyParameters &wanted = parameters.accuracy;
+      if (!wanted.is_wanted())
+        return {};
+      try
+        {
+          const ErrorEstimate error = estimate_error(
+            parameters, run.friction().mu, [&](const unsigned int companion) {
+              progress.note("companion " + std::to_string(companion) +
+                            " of 3, for the error of mu");
+            });
+          if (error.total() > wanted.error)
+            warnings.push_back(
+              "mu may be off by " + per_cent(error.total()) +
+              " for numerical reasons, more than the " +
+              per_cent(wanted.error) +
+              " that Accuracy/Error wants, most of it by the " +
+              remedy_of(error) + ".");
+          return error;
+        }
+      catch (const ComputationError &failure)
+        {
+          warnings.push_back(
+            "The numerical error of mu is not known, since a coarser companion "
+            "of the run failed: " +
+            std::string(failure.what()));
+          return {};
+        }
+    }
+
     void
     show_step(const SlidingRun &run, ProgressLine &progress)
     {
@@ -284,11 +345,13 @@ namespace asperity
         throw ComputationError(
           error.what() + kept_state(output, run, parameters.output.directory));
       }
-    const auto warnings = warnings_of_run(audit.warnings, run, parameters);
+    auto       warnings = warnings_of_run(audit.warnings, run, parameters);
+    const auto error    = estimate(parameters, run, progress, warnings);
     notes.insert(notes.end(), warnings.begin(), warnings.end());
-    output.finish(run, audit, notes, timer.wall_time());
+    output.finish(run, audit, error, notes, timer.wall_time());
     progress.note("");
-    print_result(run, scene.length, parameters, warnings, timer.wall_time());
+    print_result(
+      run, scene.length, parameters, error, warnings, timer.wall_time());
     return 0;
   }
 

@@ -54,8 +54,9 @@ namespace asperity
       throw ComputationError("The friction window holds no time step: it "
                              "starts at " +
                              std::to_string(begin * 1e6) + " us.");
+    // The direction of the window: a chip turns back before it.
     const double way =
-      rows.back().sliding_distance - rows.front().sliding_distance;
+      rows.back().sliding_distance - rows[rows.size() - 2].sliding_distance;
     FrictionResult result;
     result.window_begin = std::max(begin, rows.front().time);
     result.window_end   = std::min(end, rows.back().time);
@@ -132,9 +133,18 @@ namespace asperity
 
 
   std::vector<DistanceMean>
-  means_over_distance(const std::vector<FrictionRow> &rows, const double window)
+  means_over_distance(const std::vector<FrictionRow> &all, const double window)
   {
     std::vector<DistanceMean> means;
+    // A chip that slides back has left its way forward behind.
+    const auto farthest =
+      std::max_element(all.begin(),
+                       all.end(),
+                       [](const FrictionRow &a, const FrictionRow &b) {
+                         return a.sliding_distance < b.sliding_distance;
+                       });
+    const std::vector<FrictionRow> rows(all.begin(),
+                                        farthest + (farthest != all.end()));
     if (rows.size() < 2)
       return means;
     const FrictionRow &last = rows.back();

@@ -34,7 +34,26 @@ namespace asperity
   double
   LoadProtocol::displacement(const double time) const
   {
-    return load.velocity * time;
+    return load.velocity *
+           (direction(time) > 0. ? time : 2. * reversal_time() - time);
+  }
+
+
+
+  double
+  LoadProtocol::direction(const double time) const
+  {
+    return time <= reversal_time() * (1. + 1e-12) ? 1. : -1.;
+  }
+
+
+
+  double
+  LoadProtocol::reversal_time() const
+  {
+    return protocol.reversal_distance > 0. ?
+             protocol.reversal_distance / load.velocity :
+             end_time();
   }
 
 
@@ -62,7 +81,9 @@ namespace asperity
     if (time < ramp * (1. - 1e-9))
       return following(0., ramp, protocol.ramp_steps);
     if (protocol.window == FrictionWindow::time)
-      return following(ramp, end - ramp, protocol.slide_steps);
+      return std::min(following(ramp, end - ramp, protocol.slide_steps),
+                      time < reversal_time() * (1. - 1e-9) ? reversal_time() :
+                                                             end);
     const double n =
       std::ceil((end - ramp) * load.velocity / protocol.steady_step);
     return following(ramp, end - ramp, n);

@@ -20,6 +20,14 @@ namespace asperity
                         "then this distance over the velocity, so that fast "
                         "and slow runs are compared after the same way; "
                         "`automatic` takes the end time as it is.");
+    parameters.quantity("Reversal distance",
+                        reversal_distance,
+                        "um",
+                        Range::between(0., 1.),
+                        "Sliding distance after which the chip slides back "
+                        "with the same velocity, until t_end; mu is that of "
+                        "the way back then. 0: it goes on. For the window "
+                        "`time` and a chip without inertia.");
     parameters.number("Ramp fraction",
                       ramp_fraction,
                       Range::between(0.001, 1.),

@@ -50,6 +50,14 @@ namespace asperity
 
 
 
+  bool
+  MeshParameters::has_coarser() const
+  {
+    return spans % 2 == 0 && (refinement > 0 || spans / 2 >= 2 * degree + 2);
+  }
+
+
+
   unsigned int
   MeshParameters::fewest_quadrature_points() const
   {
@@ -67,8 +75,37 @@ namespace asperity
 
 
   void
-  ProtocolParameters::check(const ParameterDeclarator &parameters) const
+  ProtocolParameters::check_reversal(const ParameterDeclarator &parameters,
+                                     const double               velocity) const
   {
+    const double way   = sliding_distance.value_or(velocity * end_time),
+                 ramp  = ramp_fraction * way,
+                 begin = (1. - window_fraction) * way;
+    const auto fail    = [&](const std::string &expected) {
+      throw InputError(parameters.where("Protocol/Reversal distance") +
+                       ": found " + format_quantity(reversal_distance, "um") +
+                       "; expected " + expected + ".");
+    };
+    if (window == FrictionWindow::steady)
+      fail("none with the friction window `steady`, which compares windows of "
+           "one direction");
+    if (inertia == Inertia::dynamic)
+      fail("none with a chip that has inertia, since its velocity would jump");
+    if (reversal_distance < ramp || reversal_distance > begin)
+      fail("a value between the ends of the load ramp (" +
+           format_quantity(ramp, "um", 4) +
+           ") and of the way that is not averaged (" +
+           format_quantity(begin, "um", 4) + ")");
+  }
+
+
+
+  void
+  ProtocolParameters::check(const ParameterDeclarator &parameters,
+                            const double               velocity) const
+  {
+    if (reversal_distance > 0.)
+      check_reversal(parameters, velocity);
     if (window != FrictionWindow::steady)
       return;
     if (steady_distance < 2. * steady_step)
@@ -130,10 +167,18 @@ namespace asperity
     if (lubrication.model != LubricantModel::none)
       lubrication.oil.check_temperature(parameters, load.temperature);
     mesh.check(parameters, geometry.height);
+    if (accuracy.is_wanted() && !mesh.has_coarser())
+      throw InputError(
+        parameters.where("Mesh/Spans") + ": found " +
+        std::to_string(mesh.spans) +
+        ", of which no coarser mesh can be made that would tell "
+        "the error of mu (Accuracy/Control = estimate); expected "
+        "an even number of at least " +
+        std::to_string(4 * mesh.degree + 4) + " spans.");
     material.check(parameters);
     check_interface(*this, parameters);
     heat.check(parameters, material.heating.adiabatic);
-    protocol.check(parameters);
+    protocol.check(parameters, load.velocity);
     if (fills_gap(lubrication.model) &&
         protocol.inertia == Inertia::quasi_static)
       throw InputError(parameters.where("Protocol/Inertia") +

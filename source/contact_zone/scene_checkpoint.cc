@@ -110,6 +110,9 @@ namespace asperity
       "Protocol/Steady distance",
       "Protocol/Steady tolerance",
       "Protocol/Maximum distance",
+      // what is told of its error
+      "Accuracy/Control",
+      "Accuracy/Error",
       // how a solution is found, not what it is
       "Solver/Maximum iterations",
       "Solver/Maximum cuts",

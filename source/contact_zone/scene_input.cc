@@ -25,6 +25,12 @@ namespace asperity
     if (parameters.protocol.inertia == Inertia::automatic)
       parameters.protocol.inertia = audit.inertia;
     audit.inertia = parameters.protocol.inertia;
+    if (parameters.protocol.reversal_distance > 0. &&
+        audit.inertia == Inertia::dynamic)
+      throw InputError(
+        "Entry 'Protocol/Reversal distance': found a chip that turns back with "
+        "a lubricant that fills the gap, for which the chip has inertia; "
+        "expected 0 um or another lubricant model.");
     if (parameters.lubrication.model == LubricantModel::automatic)
       {
         parameters.lubrication.model = audit.lubricant;

@@ -229,6 +229,7 @@ namespace asperity
     interface.declare(parameters);
     lubrication.declare(parameters);
     heat.declare(parameters);
+    accuracy.declare(parameters);
     solver.declare(parameters);
     output.declare(parameters);
   }

@@ -246,8 +246,11 @@ namespace asperity
       return u;
     };
 
+    // What has moved so far tells nothing of the way back.
+    const bool turns =
+      protocol_.direction(state_.time + dt) != protocol_.direction(state_.time);
     std::vector<Predictor> list;
-    if (state_.step > 1)
+    if (state_.step > 1 && !turns)
       list.push_back(extrapolation);
     if (step.is_dynamic())
       list.push_back([this]() { return step.predict(); });

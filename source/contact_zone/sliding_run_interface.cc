@@ -76,7 +76,7 @@ namespace asperity
   SlidingRun::record_interface(FrictionRow &row) const
   {
     const ContactState contact   = scene.contact->state();
-    const double       direction = parameters.load.velocity;
+    const double       direction = protocol_.direction(row.time);
     row.interface_T_x            = contact.shear_force[0];
     row.interface_T_y            = contact.shear_force[1];
     row.interface_shear =

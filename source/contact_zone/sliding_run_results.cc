@@ -27,7 +27,8 @@ namespace asperity
     row.T_y              = contact.force[1];
     if (scene.lubricant)
       record_lubricant(row);
-    row.mu = friction_coefficient(row.T_x, row.T_y, parameters.load.velocity);
+    row.mu =
+      friction_coefficient(row.T_x, row.T_y, protocol_.direction(state_.time));
     record_interface(row);
     row.contact_fraction     = contact.contact_fraction;
     row.max_contact_pressure = contact.max_pressure;

@@ -138,6 +138,11 @@ namespace asperity
                [](const SceneParameters &p) {
                  return !p.protocol.sliding_distance;
                }},
+              {{"Accuracy/Error"},
+               "the Control estimate",
+               [](const SceneParameters &p) {
+                 return p.accuracy.control == AccuracyControl::estimate;
+               }},
               {{"Protocol/Spectral radius"},
                "the Inertia dynamic",
                [](const SceneParameters &p) {

@@ -17,7 +17,7 @@ namespace asperity
       {"time", seconds, "At the end of the step.", &Row::time, "/end/time"},
       {"sliding distance",
        length,
-       "Way of the bottom of the chip.",
+       "Way of the bottom of the chip; falls where it slides back.",
        &Row::sliding_distance,
        "/end/sliding_distance"},
       {"T_x",

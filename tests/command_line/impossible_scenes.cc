@@ -87,6 +87,26 @@ TEST_F(ImpossibleScene, a_steady_window_within_one_step)
             std::string::npos);
 }
 
+TEST_F(ImpossibleScene, a_chip_that_turns_back_while_mu_is_averaged)
+{
+  // 0.25 us at 200 m/min are 0.83 um; the load grows over a fifth of that.
+  const std::string back = " set Reversal distance = ";
+  EXPECT_EQ(refusal(in("Protocol", back + "0.6 um")),
+            "Error: scene.prm, line 2, entry 'Protocol/Reversal distance': "
+            "found 0.6 um; expected a value between the ends of the load ramp "
+            "(0.1667 um) and of the way that is not averaged (0.4167 "
+            "um).\n");
+  EXPECT_NE(refusal(in("Protocol", back + "0.1 um")).find("found 0.1 um"),
+            std::string::npos);
+  EXPECT_NE(refusal(
+              in("Protocol", back + "0.3 um\n set Friction window = steady"))
+              .find("expected none with the friction window `steady`"),
+            std::string::npos);
+  EXPECT_NE(refusal(in("Protocol", back + "0.3 um\n set Inertia = dynamic"))
+              .find("expected none with a chip that has inertia"),
+            std::string::npos);
+}
+
 TEST_F(ImpossibleScene, more_waves_than_the_splines_hold)
 {
   const std::string waves = " set Wave numbers = 1, 50\n"

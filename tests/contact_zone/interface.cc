@@ -37,6 +37,15 @@ namespace
     return (288e6 + 695e6) * (1. + 0.034 * std::log(rate / 0.004)) * softening /
            std::sqrt(3.);
   }
+
+  unsigned int
+  iterations(const CompleteRun &run)
+  {
+    unsigned int sum = 0;
+    for (const FrictionRow &row : run.rows())
+      sum += row.newton_iterations;
+    return sum;
+  }
 } // namespace
 
 TEST(InterfaceOfScene, flat_on_flat_has_the_friction_coefficient_of_its_spots)
@@ -142,6 +151,53 @@ TEST(InterfaceOfScene, hot_chip_that_touches_everywhere_slides_at_m_k)
     }
   EXPECT_NEAR(last.interface_T_x, -force, 1e-3 * force);
   EXPECT_EQ(last.sticking, 0.);
+}
+
+// A flat chip that turns back first springs back, its skin at rest, and then
+// slips the other way with the same friction.
+TEST(InterfaceOfScene, resists_the_way_back_as_the_way_forward)
+{
+  SceneParameters parameters = flat_scene(InterfaceShear::shear_factor);
+  parameters.protocol.end_time *= 0.1; // steps shorter than it springs back
+  parameters.protocol.reversal_distance =
+    0.5 * parameters.load.velocity * parameters.protocol.end_time;
+  const CompleteRun run(parameters);
+  const double      mu     = 0.1 * shear_strength(parameters) / 100e6;
+  const double      turn   = run.run.protocol().reversal_time();
+  unsigned int      sticks = 0;
+  double            before = 0.;
+  for (const FrictionRow &row : run.rows())
+    if (row.time <= turn)
+      before = row.T_x;
+    else
+      sticks += row.sticking > 0.5;
+  EXPECT_NEAR(run.rows().back().mu, mu, 1e-8);
+  EXPECT_NEAR(run.rows().back().T_x, -before, 1e-8 * std::abs(before));
+  EXPECT_GT(sticks, 0u);
+  EXPECT_NEAR(run.run.friction().mu_end, mu, 1e-8);
+  EXPECT_LT(run.rows().back().sliding_distance,
+            parameters.protocol.reversal_distance);
+}
+
+// Spots of a rough tool that stick and slip turn back, too.
+TEST(InterfaceOfScene, rough_spots_turn_back)
+{
+  SceneParameters parameters        = coarse_scene();
+  parameters.interface.law          = InterfaceShear::shear_factor;
+  parameters.interface.shear_factor = 0.99;
+  parameters.protocol.slide_steps   = 20;
+  const CompleteRun straight(parameters);
+  parameters.protocol.reversal_distance =
+    0.5 * parameters.load.velocity * parameters.protocol.end_time;
+  const CompleteRun back(parameters);
+  EXPECT_GT(back.rows().back().T_x, 0.);
+  EXPECT_LT(straight.rows().back().T_x, 0.);
+  EXPECT_GT(back.run.friction().mu_end, 0.);
+  EXPECT_NEAR(back.rows().back().T_y,
+              straight.rows().back().T_y,
+              1e-3 * back.load());
+  EXPECT_EQ(back.run.n_cuts(), 0u);
+  EXPECT_LE(iterations(back), 2 * iterations(straight));
 }
 
 TEST(InterfaceOfScene, a_smaller_step_changes_little_though_k_is_of_its_start)

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 using namespace asperity;
@@ -52,6 +54,32 @@ TEST(LoadProtocol, bottom_moves_with_constant_velocity)
   load.velocity = 22.5 / 60.;
   const LoadProtocol protocol(load, {});
   EXPECT_DOUBLE_EQ(protocol.displacement(2.5e-7), 9.375e-8);
+}
+
+TEST(LoadProtocol, chip_turns_back_at_the_end_of_a_step)
+{
+  LoadParameters load;
+  load.velocity = 2.;
+  ProtocolParameters parameters;
+  parameters.end_time          = 1e-6;
+  parameters.slide_steps       = 7;
+  parameters.reversal_distance = 0.9e-6;
+  const LoadProtocol protocol(load, parameters);
+  EXPECT_DOUBLE_EQ(protocol.reversal_time(), 0.45e-6);
+  EXPECT_DOUBLE_EQ(protocol.displacement(0.4e-6), 0.8e-6);
+  EXPECT_DOUBLE_EQ(protocol.displacement(0.5e-6), 0.8e-6);
+  EXPECT_NEAR(protocol.displacement(1e-6), -0.2e-6, 1e-20);
+  EXPECT_EQ(protocol.direction(0.45e-6), 1.);
+  EXPECT_EQ(protocol.direction(0.46e-6), -1.);
+  const std::vector<double> ends = step_ends(protocol);
+  EXPECT_EQ(std::count_if(ends.begin(),
+                          ends.end(),
+                          [](const double time) {
+                            return std::abs(time - 0.45e-6) < 1e-20;
+                          }),
+            1);
+  EXPECT_EQ(ends.size(), 24u + 7u + 1u);
+  EXPECT_DOUBLE_EQ(ends.back(), 1e-6);
 }
 
 TEST(LoadProtocol, steps_hit_the_end_of_the_ramp_and_of_the_run)

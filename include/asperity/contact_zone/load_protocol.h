@@ -16,9 +16,18 @@ namespace asperity
     double
     pressure(const double time) const;
 
-    /** v t [m] */
+    /** v t until the chip turns back, v (2 t_back - t) then [m]. */
     double
     displacement(const double time) const;
+
+    /** 1 as long as the chip slides along x, -1 once it slides back; at the
+     *  moment itself, 1. */
+    double
+    direction(const double time) const;
+
+    /** At which the chip turns back; the end of the run if it does not. */
+    double
+    reversal_time() const;
 
     double
     ramp_time() const;

@@ -3,6 +3,7 @@
 
 #include <asperity/base/input_record.h>
 #include <asperity/contact_zone/audit.h>
+#include <asperity/contact_zone/error_estimate.h>
 #include <asperity/contact_zone/sliding_run.h>
 #include <asperity/postprocess/checkpoint.h>
 #include <asperity/postprocess/chip_output.h>
@@ -10,6 +11,7 @@
 #include <asperity/postprocess/vtu_series.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,12 +39,14 @@ namespace asperity
     void
     step(const SlidingRun &run);
 
-    /** The last pictures, and summary.json. */
+    /** The last pictures, and summary.json.
+     *  @param error numerical error of mu, if it was estimated */
     void
-    finish(const SlidingRun               &run,
-           const SceneAudit               &audit,
-           const std::vector<std::string> &warnings,
-           const double                    wall_time);
+    finish(const SlidingRun                   &run,
+           const SceneAudit                   &audit,
+           const std::optional<ErrorEstimate> &error,
+           const std::vector<std::string>     &warnings,
+           const double                        wall_time);
 
     /** Writes a checkpoint now, e.g. before the run gives up. */
     void

@@ -5,6 +5,7 @@
 #include <asperity/constitutive/interface_law.h>
 #include <asperity/constitutive/material_parameters.h>
 #include <asperity/contact/contact_assembler.h>
+#include <asperity/contact_zone/accuracy_parameters.h>
 #include <asperity/contact_zone/heat_parameters.h>
 #include <asperity/contact_zone/lubrication_parameters.h>
 #include <asperity/solvers/direct_solver.h>
@@ -104,6 +105,10 @@ namespace asperity
     unsigned int
     n_quadrature_points() const;
 
+    /** Whether there is a mesh of half as many spans. */
+    bool
+    has_coarser() const;
+
     /** The fewest with which no motion but a rigid one is free of stress. */
     unsigned int
     fewest_quadrature_points() const;
@@ -141,6 +146,9 @@ namespace asperity
     /** Sliding distance at the end, instead of its time [m]. */
     std::optional<double> sliding_distance;
 
+    /** Distance after which the chip slides back [m]; 0: it never does. */
+    double reversal_distance = 0.;
+
     double         ramp_fraction    = 0.2;
     unsigned int   ramp_steps       = 24;
     unsigned int   slide_steps      = 96;
@@ -157,13 +165,19 @@ namespace asperity
     declare(ParameterDeclarator &parameters);
 
     /** Relations between entries.
-     *  @throws InputError if the steady window could never be judged */
+     *  @throws InputError if the steady window could never be judged, or if the
+     *  chip turns back while mu is averaged or the load grows
+     *  @param velocity v [m/s] */
     void
-    check(const ParameterDeclarator &parameters) const;
+    check(const ParameterDeclarator &parameters, const double velocity) const;
 
   private:
     void
     declare_window(ParameterDeclarator &parameters);
+
+    void
+    check_reversal(const ParameterDeclarator &parameters,
+                   const double               velocity) const;
   };
 
   struct ContactParameters
@@ -215,6 +229,7 @@ namespace asperity
     InterfaceParameters   interface;
     LubricationParameters lubrication;
     HeatParameters        heat;
+    AccuracyParameters    accuracy;
     SolverParameters      solver;
     OutputParameters      output;
 
