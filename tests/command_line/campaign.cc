@@ -238,3 +238,26 @@ TEST_F(Characterize, further_inputs_end_with_a_law_that_answers)
     EXPECT_NE(read(file).find("ploughing and oil; adhesion"), std::string::npos)
       << file;
 }
+
+TEST_F(Characterize, a_sensitivity_is_about_a_scene)
+{
+  write("scene.prm",
+        "subsection Tool\n set Kind = flat\nend\n"
+        "subsection Mesh\n set Spans = 16\n set Refinement levels = 0\nend\n"
+        "subsection Protocol\n set Ramp steps = 2\n set Slide steps = 2\nend\n"
+        "subsection Interface\n set Shear law = Coulomb\nend\n"
+        "subsection Output\n set Output directory = results\nend\n");
+  const Result result = run("sensitivity scene.prm", "mpirun -np 2");
+  EXPECT_EQ(result.status, 0) << result.errors;
+  EXPECT_NE(result.output.find("mu of the scene: 0.5\n"), std::string::npos)
+    << result.output;
+  EXPECT_NE(read("results/sensitivity.csv")
+              .find("Interface/Friction coefficient,0.55,constants,0.55"),
+            std::string::npos);
+  EXPECT_NE(read("results/sensitivity.json").find("\"spread\""),
+            std::string::npos);
+  write("one.prm", campaign("one"));
+  EXPECT_EQ(run("sensitivity one.prm").errors,
+            "Error: one.prm describes a campaign; expected the parameter file "
+            "of a scene.\n");
+}

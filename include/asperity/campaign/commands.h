@@ -24,6 +24,16 @@ namespace asperity
   int
   check_campaign(const std::string &file);
 
+  /**
+   * `asperity sensitivity FILE.prm` of a scene: varies what its user decides by
+   * hand or does not know, one at a time and on all ranks, prints a table and
+   * an interval, and writes sensitivity.csv and .json into the scene's output
+   * directory.
+   * @return exit status
+   */
+  int
+  report_sensitivity(const std::string &file);
+
   /** Whether a parameter file has a subsection Campaign. */
   bool
   describes_campaign(const std::string &file);

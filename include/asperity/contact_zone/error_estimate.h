@@ -29,7 +29,7 @@ namespace asperity
    * with half as many time steps, one with half the penalty. The error by steps
    * and penalty, which is of first order, is what the halving changes on the
    * coarse mesh; that by the mesh is what halving the spans changes over 2^q -
-   * 1, q = 1.
+   * 1 with the order q = 3/2 that the edges of contacts leave.
    *
    * @param parameters of the run, with models chosen by `automatic` in them
    * @param mu of the run

@@ -1,0 +1,171 @@
+#include <asperity/base/errors.h>
+#include <asperity/campaign/scene_sensitivity.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <sstream>
+
+#include "../files.h"
+
+using namespace asperity;
+
+namespace
+{
+  /** A flat chip on a flat tool, which slides with mu_0 whatever else is said
+   *  of it. */
+  const std::string flat_scene = R"(
+subsection Tool
+  set Kind = flat
+end
+subsection Mesh
+  set Spans             = 16
+  set Refinement levels = 0
+end
+subsection Load
+  set Pressure = 100 MPa
+end
+subsection Protocol
+  set Inertia     = quasi-static
+  set Ramp steps  = 3
+  set Slide steps = 4
+end
+subsection Interface
+  set Shear law            = Coulomb
+  set Friction coefficient = 0.3
+end
+subsection Solver
+  set Tolerance = 1e-10
+end
+)";
+
+  class SceneSensitivityTest : public testing::Test
+  {
+  protected:
+    void
+    SetUp() override
+    {
+      path = test_folder() + "/scene.prm";
+    }
+
+    std::string
+    file(const std::string &text)
+    {
+      overwrite(path, text);
+      return path;
+    }
+
+    std::set<std::string>
+    entries(const std::string &text)
+    {
+      std::set<std::string> result;
+      for (const Variation &variation : variations_of(SceneInput(file(text))))
+        result.insert(variation.entry);
+      return result;
+    }
+
+    std::string path;
+  };
+} // namespace
+
+TEST(SpreadOfScene, adds_the_largest_changes_by_their_squares)
+{
+  SceneSensitivity s;
+  s.mu      = 0.2;
+  s.results = {{{"a", "1", ChoiceKind::scene}, 0.26, ""},
+               {{"a", "2", ChoiceKind::scene}, 0.21, ""},
+               {{"b", "1", ChoiceKind::scene}, 0.28, ""},
+               {{"b", "2", ChoiceKind::scene}, 0.19, ""},
+               {{"c", "1", ChoiceKind::constants}, 0.08, ""},
+               {{"d", "1", ChoiceKind::scene}, 0., "it failed"}};
+  EXPECT_NEAR(s.effect("a"), 0.3, 1e-12);
+  EXPECT_EQ(s.effect("d"), 0.);
+  EXPECT_NEAR(s.spread(ChoiceKind::scene).above, 0.5, 1e-12); // 0.3, 0.4
+  EXPECT_NEAR(s.spread(ChoiceKind::scene).below, 0.05, 1e-12);
+  EXPECT_NEAR(s.spread().below, std::hypot(0.05, 0.6), 1e-12);
+  EXPECT_EQ(s.spread(ChoiceKind::profile).above, 0.);
+  std::ostringstream text;
+  print_sensitivity(s, text);
+  EXPECT_NE(text.str().find("d = 1  no mu: it failed"), std::string::npos);
+  EXPECT_NE(text.str().find("scene: -5 % +50 %, mu = 0.19 to 0.3"),
+            std::string::npos);
+}
+
+TEST_F(SceneSensitivityTest, varies_what_counts_in_the_scene)
+{
+  const std::set<std::string> of_flat = entries(flat_scene);
+  EXPECT_EQ(of_flat.count("Interface/Friction coefficient"), 1u);
+  EXPECT_EQ(of_flat.count("Protocol/End time"), 1u);
+  EXPECT_EQ(of_flat.count("Interface/Shear factor"), 0u);
+  EXPECT_EQ(of_flat.count("Lubrication/Wetting"), 0u);
+  EXPECT_EQ(of_flat.count("Tool/Topography/S-filter nesting index"), 0u);
+
+  const std::set<std::string> of_elastic =
+    entries(flat_scene + "subsection Material\n set Law = neo-Hooke\nend\n");
+  EXPECT_EQ(of_elastic.count("Load/Plastic strain"), 0u);
+  EXPECT_EQ(of_elastic.count("Material/Young's modulus"), 1u);
+
+  const std::string measured =
+    std::string("include ") + ASPERITY_SOURCE_DIR +
+    "/parameter_files/friction_law/sheared_oily_contact.prm\n";
+  const std::vector<Variation> all = variations_of(SceneInput(file(measured)));
+  EXPECT_LE(all.size(), 39u);
+  const std::set<std::string> of_measured = entries(measured);
+  for (const std::string entry : {"Tool/Topography/S-filter nesting index",
+                                  "Tool/Topography/Profile position",
+                                  "Tool/Topography/Profile length",
+                                  "Protocol/Sliding distance",
+                                  "Geometry/Chip height",
+                                  "Load/Plastic strain",
+                                  "Lubrication/Wetting",
+                                  "Interface/Shear factor",
+                                  "Material/Johnson-Cook/A"})
+    EXPECT_EQ(of_measured.count(entry), 1u) << entry;
+  // Every one of them is a scene.
+  for (const Variation &variation : all)
+    {
+      EntryValues changes = variation.also;
+      changes.emplace_back(variation.entry, variation.value);
+      EXPECT_NO_THROW(SceneInput(path, changes)) << variation.entry;
+    }
+}
+
+// Of a flat chip that slides by Coulomb's law nothing counts but mu_0.
+TEST_F(SceneSensitivityTest, finds_the_entry_that_counts)
+{
+  file(flat_scene);
+  const std::vector<Variation> all  = variations_of(SceneInput(path));
+  std::size_t                  told = 0;
+  const SceneSensitivity       s =
+    compute_sensitivity(path, all, [&](std::size_t done, std::size_t) {
+      told = done;
+    });
+  EXPECT_EQ(told, all.size() + 1);
+  EXPECT_NEAR(s.mu, 0.3, 1e-7);
+  EXPECT_EQ(s.results.front().variation.entry,
+            "Interface/Friction coefficient");
+  for (const VariationResult &result : s.results)
+    {
+      EXPECT_EQ(result.reason, "");
+      if (result.variation.entry != "Interface/Friction coefficient")
+        EXPECT_NEAR(result.mu, 0.3, 1e-7) << result.variation.entry;
+    }
+  EXPECT_NEAR(s.spread(ChoiceKind::constants).above, 0.1, 1e-6);
+  EXPECT_NEAR(s.spread(ChoiceKind::constants).below, 0.1, 1e-6);
+  EXPECT_NEAR(s.spread(ChoiceKind::scene).above, 0., 1e-6);
+}
+
+TEST_F(SceneSensitivityTest, tells_which_variation_fails)
+{
+  file(flat_scene);
+  const SceneSensitivity s =
+    compute_sensitivity(path, {{"Mesh/Spans", "17"}, {"Mesh/Spans", "no"}}, {});
+  ASSERT_EQ(s.results.size(), 2u);
+  EXPECT_EQ(s.results[0].reason, "");
+  EXPECT_NE(s.results[1].reason.find("Mesh/Spans"), std::string::npos);
+  EXPECT_THROW(compute_sensitivity(
+                 file("subsection Load\n set Pressure = no\nend\n"), {}, {}),
+               ComputationError);
+}
