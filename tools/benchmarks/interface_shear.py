@@ -48,7 +48,7 @@ def challen_oxley(slope, f):
     return tangential / normal, normal / math.cos(slope)
 
 
-def wedge(degrees, f, contact_length=1.):
+def wedge(degrees, f, contact_length=2.5):
     """A triangular wave whose load takes a contact of a length [um], on a body
     that is nearly rigid before it yields."""
     height = math.tan(math.radians(degrees)) * PERIOD / 2.
@@ -63,6 +63,7 @@ def wedge(degrees, f, contact_length=1.):
             "Tool/Phases": ", ".join("0 rad" for _ in WAVES),
             "Geometry/Period": f"{PERIOD} um",
             "Geometry/Initial gap": "0 um",
+            "Mesh/Strip depth": f"{0.3 * contact_length} um",
             "Material/Adiabatic heating": "false",
             "Material/Johnson-Cook/A": f"{YIELD_STRESS} MPa",
             "Material/Johnson-Cook/B": "0 MPa",
@@ -71,10 +72,10 @@ def wedge(degrees, f, contact_length=1.):
             "Load/Temperature": "20 degC",
             "Protocol/Inertia": "quasi-static",
             "Protocol/Friction window": "steady",
-            "Protocol/Steady distance": "1 um",
-            "Protocol/Steady step": "20 nm",
+            "Protocol/Steady distance": f"{contact_length} um",
+            "Protocol/Steady step": f"{20. * contact_length} nm",
             "Protocol/Steady tolerance": 0.003,
-            "Protocol/Maximum distance": "8 um",
+            "Protocol/Maximum distance": f"{6. * contact_length} um",
             **shear(f)}
 
 
