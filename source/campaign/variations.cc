@@ -78,10 +78,13 @@ namespace asperity
       const TopographyParameters &t  = tool.topography;
       TopographyReport            report;
       const HeightMap             map = treat_map(t, report);
-      if (t.s_filter > 0.)
-        scale(at + "S-filter nesting index",
-              {0.3, 0.5, 2.},
-              ChoiceKind::preparation);
+      // The samples resolve no shorter waves.
+      const double shortest = 2. * std::max(map.dx, map.dy);
+      for (const double factor : {0.3, 0.5, 2.})
+        if (factor * t.s_filter > shortest)
+          scale(at + "S-filter nesting index",
+                {factor},
+                ChoiceKind::preparation);
       const double length = t.length > 0. ? t.length : map.length_x();
       if (t.l_filter > 0.)
         scale(at + "L-filter nesting index",
@@ -166,7 +169,9 @@ namespace asperity
       if (interface.uses_shear_strength())
         for (const double factor : factors)
           set("Interface/Shear factor",
-              format_number(std::min(1., factor * interface.shear_factor)),
+              format_quantity(std::min(1., factor * interface.shear_factor),
+                              "1",
+                              6),
               ChoiceKind::constants);
       if (interface.law != InterfaceShear::none &&
           interface.law != InterfaceShear::shear_factor)

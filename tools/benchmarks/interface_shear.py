@@ -10,7 +10,7 @@ Usage: tools/benchmarks/interface_shear.py [--asperity PROGRAM] [--to FOLDER]
   junction  a cylinder pushed aside on a perfectly plastic chip: the pressure of what
          touches beside its shear, against the slip lines of Green (1954)
   cases  mu, its shares, contact and cost of the sixteen reference scenes for
-         shear factors of 0, 0.5, 0.8 and 1
+         shear factors of 0, 0.5, 0.8 and 1, and a chart of them
   mesh   mu over mesh and time steps for shear factors of 0.5, 0.8 and 0.99
 
 Tables go to the screen in Markdown, runs into FOLDER (default output/benchmarks).
@@ -21,6 +21,7 @@ import argparse
 import csv
 import math
 import os
+import sys
 
 from dry_scene import ROOT, load_case, print_head, run
 
@@ -136,7 +137,44 @@ def junction(arguments):
                   f"{(head**2 - p**2) / f**2:.1f} |", flush=True)
 
 
+def draw_cases(arguments, summaries):
+    """mu, its part by shear, and what touches over the shear factor."""
+    try:
+        import matplotlib
+        matplotlib.use("Agg")
+        import matplotlib.pyplot as plt
+    except ImportError as error:
+        sys.exit(f"{error}: the chart needs matplotlib; "
+                 "tools/install_dependencies installs it.")
+    quantities = {
+        "mu [-]": lambda s: s["friction"]["mu"],
+        "part of mu by interface shear [-]":
+            lambda s: s["friction"]["interface_shear"],
+        "contact fraction [-]": lambda s: s["contact_fraction"]}
+    figure, axes = plt.subplots(2, 3, figsize=(13, 7), sharex=True)
+    for row, scene in zip(axes, ("R0", "R1")):
+        for axis, (label, value) in zip(row, quantities.items()):
+            for number, (p, v, T) in enumerate(CASES):
+                points = [(m, value(s)) for (name, case, m), s
+                          in summaries.items()
+                          if name == scene and case == (p, v, T)]
+                axis.plot(*zip(*sorted(points)), color=f"C{number // 2}",
+                          linestyle="-" if T == 25 else "--", marker="o",
+                          markersize=3,
+                          label=f"{p} MPa, {v} m/min, {T} °C")
+            axis.set_ylabel(f"{scene}: {label}")
+            axis.grid(alpha=0.3)
+    for axis in axes[1]:
+        axis.set_xlabel("shear factor m [-]")
+    axes[0][0].legend(fontsize=7)
+    figure.tight_layout()
+    file = os.path.join(arguments.to, "shear_cases.png")
+    figure.savefig(file, dpi=100)
+    print(file)
+
+
 def cases(arguments):
+    summaries = {}
     print_head("scene | p [MPa] | v [m/min] | T [degC] | m | mu | ploughing | "
                "interface shear | contact fraction | real contact pressure "
                "[MPa] | hottest point [degC] | steps | Newton iterations | "
@@ -154,6 +192,7 @@ def cases(arguments):
                     print("| {} | {} | {} | {} | ".format(scene, *case) +
                           f"{m} |" + " - |" * 9, flush=True)
                     continue
+                summaries[scene, case, m] = summary
                 friction, cost = summary["friction"], summary["cost"]
                 reference = reference or cost["wall_time"]
                 print("| {} | {} | {} | {} | ".format(scene, *case) +
@@ -165,6 +204,7 @@ def cases(arguments):
                       f"{summary['end']['max_temperature'] - 273.15:.0f} | "
                       f"{cost['steps']} | {cost['newton_iterations']} | "
                       f"{cost['wall_time'] / reference:.2f} |", flush=True)
+    draw_cases(arguments, summaries)
 
 
 def mesh(arguments):
