@@ -198,8 +198,8 @@ namespace asperity
       "Go on from the newest checkpoint of the output directory; false: a new "
       "run, which removes what an earlier one has left there. A checkpoint of "
       "other inputs is refused; only the other entries of Output, those of the "
-      "solvers that do not change the solution, Window fraction, and how a "
-      "`steady` window ends may differ.");
+      "solvers that do not change the solution, those of Accuracy, Window "
+      "fraction, and how a `steady` window ends may differ.");
   }
 
 
