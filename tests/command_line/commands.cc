@@ -169,3 +169,27 @@ TEST_F(Commands, one_of_several_ranks_says_what_is_wrong)
   ASSERT_NE(first, std::string::npos) << result.errors;
   EXPECT_EQ(result.errors.find(sentence, first + 1), std::string::npos);
 }
+
+TEST_F(Commands, a_run_tells_the_numerical_error_of_mu_where_that_is_wanted)
+{
+  const std::string scene =
+    "subsection Mesh\n set Spans = 40\n set Refinement levels = 1\nend\n"
+    "subsection Protocol\n set Ramp steps = 4\n set Slide steps = 6\nend\n"
+    "subsection Output\n set Output directory = run\nend\n";
+  write("scene.prm",
+        scene + "subsection Accuracy\n set Control = estimate\nend\n");
+  const Result result = run("scene.prm");
+  EXPECT_EQ(result.status, 0) << result.errors;
+  EXPECT_NE(result.output.find("(numerics: mesh "), std::string::npos);
+  EXPECT_NE(result.output.find(
+              "for numerical reasons, more than the 0.7 % that "
+              "Accuracy/Error wants, most of it by the mesh, "
+              "for which Mesh/Spans and Refinement levels "
+              "help."),
+            std::string::npos)
+    << result.output;
+  EXPECT_NE(read("run/summary.json").find("\"accuracy\""), std::string::npos);
+  write("scene.prm", scene);
+  EXPECT_EQ(run("scene.prm").output.find("numerics"), std::string::npos);
+  EXPECT_EQ(read("run/summary.json").find("\"accuracy\""), std::string::npos);
+}

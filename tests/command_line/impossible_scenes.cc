@@ -107,6 +107,21 @@ TEST_F(ImpossibleScene, a_chip_that_turns_back_while_mu_is_averaged)
             std::string::npos);
 }
 
+TEST_F(ImpossibleScene, a_mesh_without_a_coarser_one_for_the_error_of_mu)
+{
+  const std::string estimate = in("Accuracy", " set Control = estimate");
+  EXPECT_EQ(refusal(in("Mesh", " set Spans = 81\n set Refinement levels = 0") +
+                    estimate),
+            "Error: scene.prm, line 2, entry 'Mesh/Spans': found 81, of which "
+            "no coarser mesh can be made that would tell the error of mu "
+            "(Accuracy/Control = estimate); expected an even number of at "
+            "least 12 spans.\n");
+  EXPECT_NE(refusal(in("Mesh", " set Spans = 8\n set Refinement levels = 0") +
+                    estimate)
+              .find("found 8, of which no coarser mesh"),
+            std::string::npos);
+}
+
 TEST_F(ImpossibleScene, more_waves_than_the_splines_hold)
 {
   const std::string waves = " set Wave numbers = 1, 50\n"
