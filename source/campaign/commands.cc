@@ -1,5 +1,6 @@
 #include <asperity/base/environment.h>
 #include <asperity/base/errors.h>
+#include <asperity/base/mpi_session.h>
 #include <asperity/base/parameter_file.h>
 #include <asperity/base/progress.h>
 #include <asperity/base/version.h>
@@ -7,6 +8,7 @@
 #include <asperity/campaign/commands.h>
 #include <asperity/campaign/scene_sensitivity.h>
 #include <asperity/contact_zone/commands.h>
+#include <asperity/postprocess/output_folder.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
@@ -14,6 +16,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <memory>
 
 namespace asperity
 {
@@ -34,6 +37,33 @@ namespace asperity
       ParameterDeclarator      declarator;
       CampaignParameters       parameters;
     };
+
+    /** The output directory of a scene, on the first rank.
+     *  @throws InputError on all ranks if it cannot be used */
+    std::unique_ptr<OutputFolder>
+    lock_results(const SceneInput &input)
+    {
+      MpiSession::start();
+      std::unique_ptr<OutputFolder> folder;
+      std::string                   refusal;
+      if (is_first_rank())
+        try
+          {
+            folder =
+              std::make_unique<OutputFolder>(input.parameters.output.directory,
+                                             input.declarator.where(
+                                               "Output/Output directory"),
+                                             FolderUse::run);
+          }
+        catch (const InputError &error)
+          {
+            refusal = error.what();
+          }
+      refusal = dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, refusal, 0);
+      if (!refusal.empty())
+        throw InputError(refusal);
+      return folder;
+    }
   } // namespace
 
 
@@ -83,6 +113,7 @@ namespace asperity
                               "file of a scene.");
     const SceneInput             input(file);
     const std::vector<Variation> variations = variations_of(input);
+    const auto                   folder     = lock_results(input);
     ProgressLine                 progress(std::cout,
                           is_first_rank() ? ProgressLine::Mode::automatic :
                                                             ProgressLine::Mode::silent);

@@ -19,6 +19,7 @@
 #include <iomanip>
 #include <map>
 #include <ostream>
+#include <sstream>
 
 namespace asperity
 {
@@ -71,10 +72,15 @@ namespace asperity
       return results;
     }
 
+    /** A mu that is zero to the tolerances of the solvers. */
+    constexpr double no_friction = 1e-4;
+
     std::string
     per_cent(const double share)
     {
-      return format_quantity(100. * share, "1", 3) + " %";
+      std::ostringstream text;
+      text << std::fixed << std::setprecision(1) << 100. * share << " %";
+      return text.str();
     }
 
     std::string
@@ -153,12 +159,13 @@ namespace asperity
     sensitivity.results         = shared_runs(file, all, progress);
     const VariationResult scene = sensitivity.results.front();
     sensitivity.results.erase(sensitivity.results.begin());
-    if (!scene.reason.empty() || scene.mu == 0.)
+    if (!scene.reason.empty() || std::abs(scene.mu) < no_friction)
       throw ComputationError(
         "The scene of " + file +
-        " has no mu that variations could be compared "
-        "with: " +
-        (scene.reason.empty() ? "it is 0." : scene.reason));
+        " has no mu that variations could be compared with: " +
+        (scene.reason.empty() ?
+           "it is " + format_quantity(scene.mu, "1", 3) + ", which is none." :
+           scene.reason));
     sensitivity.mu = scene.mu;
     std::map<std::string, double> effects;
     for (const Variation &variation : variations)

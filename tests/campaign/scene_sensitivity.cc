@@ -89,7 +89,7 @@ TEST(SpreadOfScene, adds_the_largest_changes_by_their_squares)
   std::ostringstream text;
   print_sensitivity(s, text);
   EXPECT_NE(text.str().find("d = 1  no mu: it failed"), std::string::npos);
-  EXPECT_NE(text.str().find("scene: -5 % +50 %, mu = 0.19 to 0.3"),
+  EXPECT_NE(text.str().find("scene: -5.0 % +50.0 %, mu = 0.19 to 0.3"),
             std::string::npos);
 }
 
@@ -165,6 +165,10 @@ TEST_F(SceneSensitivityTest, tells_which_variation_fails)
   ASSERT_EQ(s.results.size(), 2u);
   EXPECT_EQ(s.results[0].reason, "");
   EXPECT_NE(s.results[1].reason.find("Mesh/Spans"), std::string::npos);
+  const std::string frictionless =
+    flat_scene + "subsection Interface\n set Shear law = none\nend\n";
+  EXPECT_THROW(compute_sensitivity(file(frictionless), {}, {}),
+               ComputationError);
   EXPECT_THROW(compute_sensitivity(
                  file("subsection Load\n set Pressure = no\nend\n"), {}, {}),
                ComputationError);

@@ -256,6 +256,16 @@ TEST_F(Characterize, a_sensitivity_is_about_a_scene)
             std::string::npos);
   EXPECT_NE(read("results/sensitivity.json").find("\"spread\""),
             std::string::npos);
+  // Where nothing can be written, nothing is computed.
+  write("nowhere.prm",
+        "subsection Output\n set Output directory = scene.prm/results\nend\n");
+  const Result nowhere = run("sensitivity nowhere.prm", "mpirun -np 2");
+  EXPECT_EQ(nowhere.status, 2);
+  EXPECT_NE(nowhere.errors.find("nowhere.prm, line 2, entry 'Output/Output "
+                                "directory'"),
+            std::string::npos)
+    << nowhere.errors;
+  EXPECT_EQ(nowhere.output.find("runs"), std::string::npos);
   write("one.prm", campaign("one"));
   EXPECT_EQ(run("sensitivity one.prm").errors,
             "Error: one.prm describes a campaign; expected the parameter file "
