@@ -20,6 +20,7 @@
 #include <iomanip>
 #include <iostream>
 #include <map>
+#include <stdexcept>
 
 namespace asperity
 {
@@ -270,7 +271,7 @@ namespace asperity
               remedy_of(error) + ".");
           return error;
         }
-      catch (const ComputationError &failure)
+      catch (const std::runtime_error &failure)
         {
           warnings.push_back(
             "The numerical error of mu is not known, since a coarser companion "
@@ -346,9 +347,16 @@ namespace asperity
           error.what() + kept_state(output, run, parameters.output.directory));
       }
     auto       warnings = warnings_of_run(audit.warnings, run, parameters);
-    const auto error    = estimate(parameters, run, progress, warnings);
-    notes.insert(notes.end(), warnings.begin(), warnings.end());
-    output.finish(run, audit, error, notes, timer.wall_time());
+    const auto finish   = [&](const std::optional<ErrorEstimate> &error) {
+      std::vector<std::string> all = notes;
+      all.insert(all.end(), warnings.begin(), warnings.end());
+      output.finish(run, audit, error, all, timer.wall_time());
+    };
+    // The results are safe before companions run, which may be killed.
+    finish({});
+    const auto error = estimate(parameters, run, progress, warnings);
+    if (parameters.accuracy.is_wanted())
+      finish(error);
     progress.note("");
     print_result(
       run, scene.length, parameters, error, warnings, timer.wall_time());

@@ -105,6 +105,11 @@ TEST_F(ImpossibleScene, a_chip_that_turns_back_while_mu_is_averaged)
   EXPECT_NE(refusal(in("Protocol", back + "0.3 um\n set Inertia = dynamic"))
               .find("expected none with a chip that has inertia"),
             std::string::npos);
+  EXPECT_NE(refusal(in("Protocol", back + "0.3 um") +
+                    in("Lubrication", " set Model = Stokes"))
+              .find("found a chip that turns back with a lubricant that fills "
+                    "the gap"),
+            std::string::npos);
 }
 
 TEST_F(ImpossibleScene, a_mesh_without_a_coarser_one_for_the_error_of_mu)
