@@ -42,7 +42,8 @@ namespace asperity
                         Range::between(0., 1.),
                         "m of a spot that oil covers; `automatic` takes that "
                         "of the dry one. A spot counts as covered to the part "
-                        "of the void that is full of oil.");
+                        "of the gap there that is full of oil: of its pocket, "
+                        "or of the film at the spot.");
     }
   } // namespace
 

@@ -298,6 +298,28 @@ namespace asperity
 
 
 
+  CurrentContact
+  ContactAssembler::current_state(const Vector &u) const
+  {
+    CurrentContact            state;
+    const std::vector<bool>   touches  = touching();
+    const std::vector<double> stretch_ = stretch(u);
+    double                    force    = 0.;
+    for (unsigned int q = 0; q < gap.size(); ++q)
+      {
+        const double p = point_pressure[q];
+        force += p * table_.JxW[q];
+        state.max_pressure = std::max(state.max_pressure, p / stretch_[q]);
+        if (touches[q])
+          state.length += stretch_[q] * table_.JxW[q];
+      }
+    if (state.length > 0.)
+      state.mean_pressure = force / state.length;
+    return state;
+  }
+
+
+
   const BasisTable &
   ContactAssembler::table() const
   {

@@ -93,7 +93,7 @@ namespace asperity
     tool.write(step, time, [&](std::ostream &out) {
       write_polyline(out, curve, time, step);
     });
-    write_contact_line(step, time);
+    write_contact_line(run.state().u, step, time);
     if (oil)
       oil->write(step, time, [&](std::ostream &out) {
         scene.gap_flow->write(out, time, step);
@@ -131,32 +131,42 @@ namespace asperity
 
 
   void
-  SceneOutput::write_contact_line(const unsigned int step, const double time)
+  SceneOutput::write_contact_line(const dealii::Vector<double> &u,
+                                  const unsigned int            step,
+                                  const double                  time)
   {
     Polyline                          line;
     const auto                       &contact = *scene.contact;
     std::vector<double>               gap, oil_pressure;
     std::vector<dealii::Tensor<1, 2>> traction;
     const ShearTraction              *shear = contact.shear();
-    for (std::size_t q = 0; q < contact.pressure().size(); ++q)
+    // per present length
+    std::vector<double>       pressure = contact.pressure(), shear_traction;
+    const std::vector<double> stretch  = contact.stretch(u);
+    if (shear != nullptr)
+      shear_traction = shear->at_points();
+    for (std::size_t q = 0; q < pressure.size(); ++q)
       {
+        pressure[q] /= stretch[q];
         gap.push_back(contact.gaps()[q].gap);
         oil_pressure.push_back(
           scene.lubricant ?
             scene.lubricant->pressure(contact.table().parameter[q][0]) :
             0.);
-        traction.push_back(contact.pressure()[q] * contact.gaps()[q].normal);
-        if (shear != nullptr)
-          traction.back() -= shear->at_points()[q] * shear->slip()[q].tangent;
+        traction.push_back(pressure[q] * contact.gaps()[q].normal);
+        if (shear == nullptr)
+          continue;
+        shear_traction[q] /= stretch[q];
+        traction.back() -= shear_traction[q] * shear->slip()[q].tangent;
       }
     line.points  = contact.positions();
-    line.scalars = {{"contact pressure [Pa]", contact.pressure()},
+    line.scalars = {{"contact pressure [Pa]", pressure},
                     {"oil pressure [Pa]", oil_pressure},
                     {"gap [m]", gap}};
     line.vectors = {{"traction [Pa]", traction}};
     if (shear != nullptr)
       {
-        line.scalars.emplace_back("shear traction [Pa]", shear->at_points());
+        line.scalars.emplace_back("shear traction [Pa]", shear_traction);
         line.scalars.emplace_back("sticking [-]", shear->sticking());
       }
     if (scene.heat)

@@ -32,6 +32,8 @@ namespace asperity
              std::nullopt)
   {
     state_.u = state_.u_previous = scene.initial_unknowns();
+    state_.coverage.assign(scene.contact->table().JxW.size(),
+                           scene.lubricant ? scene.oil.part_at_start : 0.);
     state_.rows.emplace_back();
     state_.rows.back().max_temperature    = parameters.load.temperature;
     state_.rows.back().max_plastic_strain = parameters.load.plastic_strain;
@@ -302,7 +304,12 @@ namespace asperity
     if (ShearTraction *shear = scene.contact->shear())
       shear->accept();
     if (scene.lubricant)
-      scene.lubricant->accept(u);
+      {
+        scene.lubricant->accept(u);
+        const auto &s = scene.contact->table().parameter;
+        for (unsigned int q = 0; q < state_.coverage.size(); ++q)
+          state_.coverage[q] = scene.lubricant->coverage(s[q][0]);
+      }
     state_.u_previous  = state_.u;
     state_.dt_previous = dt;
     state_.u           = u;

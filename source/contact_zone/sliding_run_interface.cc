@@ -32,15 +32,10 @@ namespace asperity
     ShearTraction *shear = scene.contact->shear();
     if (shear == nullptr)
       return;
-    const FrictionRow &last = state_.rows.back();
-    const double       wet =
-      last.void_volume > 0. ?
-              std::clamp(last.oil_volume / last.void_volume, 0., 1.) :
-              0.;
-    std::vector<double> k(scene.contact->pressure().size(), 0.);
+    std::vector<double> k(state_.coverage.size(), 0.);
     if (parameters.interface.uses_shear_strength())
       k = shear_strength();
-    shear->set_interface(k, std::vector<double>(k.size(), wet));
+    shear->set_interface(k, state_.coverage);
   }
 
 
@@ -84,9 +79,10 @@ namespace asperity
     row.oil_shear = friction_coefficient(row.shear_T_x, row.T_y, direction);
     row.ploughing = row.mu - row.interface_shear - row.oil_shear;
     row.sticking  = contact.sticking;
-    if (contact.contact_fraction > 0.)
-      row.real_contact_pressure = (contact.shear_force[1] - contact.force[1]) /
-                                  (contact.contact_fraction * scene.length);
+    const CurrentContact current = scene.contact->current_state(state_.u);
+    row.touching_length          = current.length;
+    row.real_contact_pressure    = current.mean_pressure;
+    row.max_contact_pressure     = current.max_pressure;
   }
 
 

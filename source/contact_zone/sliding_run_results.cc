@@ -30,10 +30,9 @@ namespace asperity
     row.mu =
       friction_coefficient(row.T_x, row.T_y, protocol_.direction(state_.time));
     record_interface(row);
-    row.contact_fraction     = contact.contact_fraction;
-    row.max_contact_pressure = contact.max_pressure;
-    row.max_penetration      = std::max(0., contact.max_penetration);
-    row.mean_gap             = contact.mean_gap;
+    row.contact_fraction = contact.contact_fraction;
+    row.max_penetration  = std::max(0., contact.max_penetration);
+    row.mean_gap         = contact.mean_gap;
     for (const MaterialState &point : scene.chip->history())
       {
         row.max_plastic_strain =

@@ -289,9 +289,20 @@ namespace asperity
     state_.void_volume = std::accumulate(voids.begin(), voids.end(), 0.);
     const std::vector<double> amounts = pockets_->amounts();
     state_.oil_volume                 = 0.;
+    std::vector<double> oil(pockets_->n_pockets()), room(oil.size());
     for (unsigned int k = 0; k < amounts.size(); ++k)
-      state_.oil_volume += amounts[k] / ratios[k];
+      {
+        state_.oil_volume += amounts[k] / ratios[k];
+        if (pockets_->pocket(k) == GapPockets::none)
+          continue;
+        oil[pockets_->pocket(k)] += amounts[k] / ratios[k];
+        room[pockets_->pocket(k)] += voids[k];
+      }
     state_.n_pockets = pockets_->n_pockets();
+    pocket_coverage.resize(oil.size());
+    for (unsigned int i = 0; i < oil.size(); ++i)
+      pocket_coverage[i] =
+        pockets_->is_full(i) || oil[i] >= room[i] ? 1. : oil[i] / room[i];
   }
 
 

@@ -100,17 +100,37 @@ namespace asperity
 
 
 
-  double
-  GapFlow::pressure(const double parameter) const
+  unsigned int
+  GapFlow::column_at(const double parameter) const
   {
+    // Columns lie between the vertices of the wall.
     const auto above = std::find_if(wall_pressures.begin() + 1,
                                     wall_pressures.end() - 1,
                                     [parameter](const auto &node) {
                                       return node.first > parameter;
                                     });
-    const auto below = above - 1;
-    // Columns lie between the vertices of the wall.
-    const unsigned int column = below - wall_pressures.begin();
+    return above - 1 - wall_pressures.begin();
+  }
+
+
+
+  double
+  GapFlow::coverage(const double parameter) const
+  {
+    if (!pockets_)
+      return 1.;
+    const unsigned int pocket = pockets_->pocket(column_at(parameter));
+    return pocket < pocket_coverage.size() ? pocket_coverage[pocket] : 0.;
+  }
+
+
+
+  double
+  GapFlow::pressure(const double parameter) const
+  {
+    const unsigned int column = column_at(parameter);
+    const auto         below  = wall_pressures.begin() + column;
+    const auto         above  = below + 1;
     if (pockets_ && !pockets_->is_flowing()[column])
       return column_pressures[column];
     const double weight =

@@ -331,8 +331,8 @@ namespace asperity
 
 
 
-  double
-  FilmTerm::pressure(const double parameter) const
+  unsigned int
+  FilmTerm::cell_at(const double parameter) const
   {
     unsigned int low = 0, high = edge_.n_cells();
     while (high - low > 1)
@@ -340,7 +340,23 @@ namespace asperity
         const unsigned int middle                           = (low + high) / 2;
         (edge_.parameter(middle) <= parameter ? low : high) = middle;
       }
-    return states[low].pressure;
+    return low;
+  }
+
+
+
+  double
+  FilmTerm::pressure(const double parameter) const
+  {
+    return states[cell_at(parameter)].pressure;
+  }
+
+
+
+  double
+  FilmTerm::coverage(const double parameter) const
+  {
+    return std::clamp(states[cell_at(parameter)].fraction, 0., 1.);
   }
 
 

@@ -279,15 +279,37 @@ namespace asperity
 
 
 
-  double
-  SealedPocket::pressure(const double parameter) const
+  const SealedPocket::Enclosure *
+  SealedPocket::enclosure_at(const double parameter) const
   {
     if (pockets.empty())
-      return 0.;
+      return nullptr;
     std::vector<PocketExtent> extents;
     for (const Pocket &pocket : tracker.pockets())
       extents.push_back(pocket.extent);
-    return pockets[pocket_at(extents, parameter, length)].pressure;
+    return &pockets[pocket_at(extents, parameter, length)];
+  }
+
+
+
+  double
+  SealedPocket::pressure(const double parameter) const
+  {
+    const Enclosure *pocket = enclosure_at(parameter);
+    return pocket != nullptr ? pocket->pressure : 0.;
+  }
+
+
+
+  double
+  SealedPocket::coverage(const double parameter) const
+  {
+    const Enclosure *pocket = enclosure_at(parameter);
+    if (pocket == nullptr || pocket->reference_volume == 0.)
+      return 0.;
+    const double oil =
+      pocket->reference_volume / options.density.ratio(pocket->pressure);
+    return oil < pocket->volume ? oil / pocket->volume : 1.;
   }
 
 

@@ -172,6 +172,34 @@ namespace
       }
   }
 
+  // Where everything touches, per present length: the pressure divided by the
+  // stretch 1.4 of x = 1.4 X, and the stretched edge.
+  TEST_P(ContactTerm, state_per_present_length_counts_the_stretch)
+  {
+    const auto motion = PatchGeometry::from_map(*space, [](const Point<2> &p) {
+      const double x = p[0] + 0.05 * p[1] * p[1],
+                   y = p[1] * (1. + 0.02 * p[0] * (2. - p[0]));
+      return p + Point<2>(0.4 * x, 0.4 * y);
+    });
+    for (unsigned int a = 0; a < space->n_functions(); ++a)
+      for (unsigned int c = 0; c < 2; ++c)
+        u(displacement_dof(a, c)) = motion.offset[a][c];
+    residual(u);
+    const auto touches = contact->touching();
+    ASSERT_GT(std::count(touches.begin(), touches.end(), true), 3);
+    double length = 0., force = 0., largest = 0.;
+    for (unsigned int q = 0; q < touches.size(); ++q)
+      {
+        length += touches[q] ? 1.4 * contact->table().JxW[q] : 0.;
+        force += contact->pressure()[q] * contact->table().JxW[q];
+        largest = std::max(largest, contact->pressure()[q]);
+      }
+    const CurrentContact now = contact->current_state(u);
+    EXPECT_NEAR(now.length, length, 1e-12);
+    EXPECT_NEAR(now.mean_pressure * length, force, 1e-12 * force);
+    EXPECT_NEAR(now.max_pressure, largest / 1.4, 1e-12 * largest);
+  }
+
   TEST_P(ContactTerm, residual_is_the_derivative_of_the_potential)
   {
     const double step   = 1e-5;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "scene_examples.h"
@@ -118,6 +119,42 @@ TEST(InterfaceOfScene, shares_of_a_rough_contact_add_up_to_mu)
 
 // In full contact mu p = m k: the chip has the length of the tool, and what
 // that is longer than the period, its slopes take from the force along it.
+TEST(InterfaceOfScene, spots_beside_a_full_pocket_are_wet)
+{
+  // Oil everywhere: the dry m does not count.
+  SceneParameters wet             = coarse_scene();
+  wet.interface.law               = InterfaceShear::shear_factor;
+  wet.interface.shear_factor      = 0.8;
+  wet.interface.wet_shear_factor  = 0.2;
+  wet.lubrication.model           = LubricantModel::pocket;
+  wet.lubrication.wetting         = 1.;
+  SceneParameters slippery        = wet;
+  slippery.interface.shear_factor = 0.2;
+  const CompleteRun one(wet), other(slippery);
+  ASSERT_EQ(one.rows().size(), other.rows().size());
+  const FrictionRow a = one.rows().back(), b = other.rows().back();
+  EXPECT_GT(a.interface_shear, 0.);
+  EXPECT_NEAR(a.interface_shear, b.interface_shear, 1e-9);
+  for (const double share : one.run.state().coverage)
+    EXPECT_NEAR(share, 1., 1e-9);
+}
+
+TEST(InterfaceOfScene, spots_know_which_part_of_a_film_is_full)
+{
+  // Oil in 60 % of the void flows to the spots and leaves the valleys.
+  SceneParameters parameters     = coarse_scene();
+  parameters.interface.law       = InterfaceShear::shear_factor;
+  parameters.lubrication.model   = LubricantModel::reynolds;
+  parameters.lubrication.wetting = 0.6;
+  const CompleteRun         run(parameters);
+  const std::vector<double> coverage = run.run.state().coverage;
+  const auto [least, most] =
+    std::minmax_element(coverage.begin(), coverage.end());
+  EXPECT_GE(*least, 0.);
+  EXPECT_LE(*most, 1.);
+  EXPECT_GT(*most - *least, 0.1);
+}
+
 TEST(InterfaceOfScene, hot_chip_that_touches_everywhere_slides_at_m_k)
 {
   SceneParameters parameters        = coarse_scene();

@@ -45,6 +45,14 @@ namespace asperity
     double mean_gap = 0.; ///< mean of max(gap, 0) over the length [m]
   };
 
+  /** What touches, per current length of the edge. */
+  struct CurrentContact
+  {
+    double length        = 0.; ///< of what touches [m]
+    double mean_pressure = 0.; ///< over it [Pa]
+    double max_pressure  = 0.; ///< [Pa]
+  };
+
   /**
    * Contact of an edge with a rigid obstacle, by penalty and optional
    * multipliers; with shear if the interface has a law of it, see
@@ -131,6 +139,11 @@ namespace asperity
     /** Current over reference length of the edge at each point. */
     std::vector<double>
     stretch(const dealii::Vector<double> &u) const;
+
+    /** The state per current length. @param u the last evaluated
+     *  displacement */
+    CurrentContact
+    current_state(const dealii::Vector<double> &u) const;
 
     /** Which of the points touch, as the contact fraction counts them. */
     std::vector<bool>

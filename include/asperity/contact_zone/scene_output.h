@@ -64,7 +64,9 @@ namespace asperity
     write_chip(const SlidingRun &run);
 
     void
-    write_contact_line(const unsigned int step, const double time);
+    write_contact_line(const dealii::Vector<double> &u,
+                       const unsigned int            step,
+                       const double                  time);
 
     const SceneParameters     &parameters;
     const InputRecord         &inputs;

@@ -24,12 +24,15 @@ namespace asperity
     double                   dt_previous = 0.;
     std::vector<FrictionRow> rows;
 
+    /** Share of oil in the gap, at the points of the contact. */
+    std::vector<double> coverage;
+
     /** For archives of Boost.Serialization. */
     template <typename Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &step &time &u &u_previous &dt_previous &rows;
+      archive &step &time &u &u_previous &dt_previous &rows &coverage;
     }
   };
 

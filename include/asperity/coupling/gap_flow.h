@@ -177,6 +177,11 @@ namespace asperity
     double
     pressure(const double parameter) const override;
 
+    /** That of the pocket, at the last accepted step: oil that flows fills the
+     *  gap. */
+    double
+    coverage(const double parameter) const override;
+
     void
     save(OutputArchive &archive) const override;
 
@@ -284,6 +289,10 @@ namespace asperity
     void
     account_for_oil();
 
+    /** The column that holds a parameter of the chip's edge. */
+    unsigned int
+    column_at(const double parameter) const;
+
     /** What has passed the ends of the gap. */
     void
     account_for_ends();
@@ -344,6 +353,7 @@ namespace asperity
     LubricantDensity          density; ///< incompressible unless it counts
     std::optional<GapPockets> pockets_;
     std::vector<double>       column_pressures; ///< of the last solution
+    std::vector<double>       pocket_coverage;  ///< of the accepted step
     double                    volume_error_ = 0.;
 
     double         initial_content = 0.; ///< volume of the oil at p = 0

@@ -115,6 +115,10 @@ namespace asperity
     double
     pressure(const double parameter) const override;
 
+    /** theta of the cell. */
+    double
+    coverage(const double parameter) const override;
+
     /** Pressure and fraction of each cell at the last evaluation. */
     const std::vector<FilmState> &
     film_states() const;
@@ -129,6 +133,10 @@ namespace asperity
     load(InputArchive &archive) override;
 
   private:
+    /** The cell that holds a parameter of the edge. */
+    unsigned int
+    cell_at(const double parameter) const;
+
     /** Takes positions from u. @throws InputError if there is no film */
     void
     start(const dealii::Vector<double> &u);

@@ -94,6 +94,11 @@ namespace asperity
     virtual double
     pressure(const double parameter) const = 0;
 
+    /** Share of the gap that is full of oil at a parameter of the chip's edge,
+     *  in [0, L), at the last evaluated displacement. */
+    virtual double
+    coverage(const double parameter) const = 0;
+
     /** What happened to the pockets so far, as "step 12: pocket B has become
      *  part of A". */
     virtual std::vector<std::string>

@@ -104,6 +104,10 @@ namespace asperity
     double
     pressure(const double parameter) const override;
 
+    /** That of the pocket. */
+    double
+    coverage(const double parameter) const override;
+
     std::vector<std::string>
     events() const override;
 
@@ -125,6 +129,11 @@ namespace asperity
       double              multiplier = 0.; ///< of the incompressible law [Pa]
       dealii::Vector<double> gradient;     ///< dV/du [m]
     };
+
+    /** The pocket to which a parameter of the edge belongs; nullptr if
+     *  everything is sealed. */
+    const Enclosure *
+    enclosure_at(const double parameter) const;
 
     /** Pressure and stiffness at the pocket's volume; false if none exists. */
     bool

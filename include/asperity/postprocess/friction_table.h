@@ -30,6 +30,7 @@ namespace asperity
     double       interface_T_y         = 0.;
     double       sticking              = 0.;
     double       contact_fraction      = 0.;
+    double       touching_length       = 0.;
     double       max_contact_pressure  = 0.;
     double       real_contact_pressure = 0.;
     double       max_plastic_strain    = 0.;
