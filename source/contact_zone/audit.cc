@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "interface_audit.h"
+#include "surface_audit.h"
 
 namespace asperity
 {
@@ -84,7 +85,9 @@ namespace asperity
       audit.entries.push_back({"sliding distance over the period",
                                v * end_time / scene.length,
                                "below about 0.05 the contact is still running "
-                               "in, and mu depends on the distance"});
+                               "in, and mu depends on the distance: the "
+                               "blasted tool of the examples has 0.044 after "
+                               "1 of its 40 um, 0.10 in steady sliding"});
     }
 
     /** Whether the chip's block is high enough not to matter. */
@@ -361,20 +364,6 @@ namespace asperity
       if (fills_gap(audit.lubricant))
         audit.inertia = Inertia::dynamic;
     }
-
-    /** What the reader and the treatment of measured surfaces complain of. */
-    void
-    audit_surface(const Surface     &surface,
-                  const std::string &whose,
-                  SceneAudit        &audit)
-    {
-      if (!surface.topography)
-        return;
-      for (const auto &list :
-           {surface.topography->sanity.warnings, surface.topography->warnings})
-        for (const std::string &warning : list)
-          audit.warnings.push_back(whose + " surface: " + warning);
-    }
   } // namespace
 
 
@@ -391,8 +380,8 @@ namespace asperity
     audit_waves(parameters, scene, audit);
     audit_lubricant(parameters, scene, audit);
     audit_interface(parameters, audit);
-    audit_surface(scene.tool_surface, "Tool", audit);
-    audit_surface(scene.chip_surface, "Chip", audit);
+    audit_surface(parameters.tool, scene.tool_surface, "Tool", audit);
+    audit_surface(parameters.chip, scene.chip_surface, "Chip", audit);
     return audit;
   }
 } // namespace asperity

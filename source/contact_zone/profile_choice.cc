@@ -17,7 +17,6 @@ namespace asperity
     constexpr double pixels_a_wave         = 3.;
     constexpr double largest_noise_share   = 0.25; ///< of the slope
     constexpr double steepest              = 1.;   ///< tan 45 degrees
-    constexpr double aspect_ratio_of_lay   = 0.6;
     constexpr double snap_to_axis          = 5. * M_PI / 180.;
     constexpr double fewest_waves          = 5.; ///< in a profile
     constexpr double waves_a_period        = 10.;
@@ -109,7 +108,6 @@ namespace asperity
   void
   SurfaceChooser::choose_direction(const Texture &texture)
   {
-    const double      ratio = texture.aspect_ratio();
     const std::string slopes =
       "the root mean square slope is " + number(texture.largest_slope) +
       " at " + std::to_string(std::lround(texture.direction * 180. / M_PI)) +
@@ -118,7 +116,7 @@ namespace asperity
     direction = 0.;
     if (map.ny == 1)
       reason = "the map is a single profile.";
-    else if (ratio > aspect_ratio_of_lay)
+    else if (!texture.has_lay())
       reason = slopes + ": no lay; any direction will do.";
     else
       {

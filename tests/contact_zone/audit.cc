@@ -257,6 +257,41 @@ TEST(SceneAudit, passes_on_what_the_reader_of_a_surface_complains_of)
   EXPECT_TRUE(warns(audit, "Tool surface: The unit is a guess."));
 }
 
+TEST(SceneAudit, warns_of_hills_as_ridges_and_of_waves_that_are_filtered_out)
+{
+  SceneParameters parameters = coarse_scene();
+  parameters.tool.kind       = SurfaceKind::measured;
+  auto &topography           = parameters.tool.topography;
+  topography.file =
+    ASPERITY_SOURCE_DIR "/parameter_files/surfaces/polished_tool.x3p";
+  topography.length = 20e-6;
+  Scene scene(parameters);
+  auto &map = scene.tool_surface.topography->map;
+  // sin(x) + hills * sin(y): slopes along and across are as hills to 1
+  const auto waves = [&map](const double hills) {
+    map.dx = map.dy = 0.5e-6;
+    for (unsigned int j = 0; j < map.ny; ++j)
+      for (unsigned int i = 0; i < map.nx; ++i)
+        map(i, j) = 1e-7 * (std::sin(0.3 * i) + hills * std::sin(0.3 * j));
+  };
+  waves(0.1);
+  topography.s_filter      = 4e-6; // 2.7 times three pixels
+  const SceneAudit grooves = audit_scene(parameters, scene);
+  EXPECT_FALSE(warns(grooves, "no lay"));
+  EXPECT_FALSE(warns(grooves, "S-filter"));
+  EXPECT_NEAR(number(grooves, "slope along the lay over slope across, Tool"),
+              0.1,
+              0.02);
+  EXPECT_NEAR(number(grooves, "S-filter over three pixels, Tool"),
+              4. / 1.5,
+              1e-9);
+  waves(0.9);
+  topography.s_filter    = 10e-6;
+  const SceneAudit hills = audit_scene(parameters, scene);
+  EXPECT_TRUE(warns(hills, "no lay (slopes along and across are as 0.9 to 1)"));
+  EXPECT_TRUE(warns(hills, "S-filter of 10 um leaves out waves"));
+}
+
 TEST(SceneAudit, chooses_the_lubricant_model_by_the_flow)
 {
   SceneParameters parameters   = coarse_scene();

@@ -20,6 +20,10 @@ namespace asperity
      *  straight grooves and for a flat one. */
     double
     aspect_ratio() const;
+
+    /** Whether a direction stands out, aspect_ratio() being below 0.6. */
+    bool
+    has_lay() const;
   };
 
   /**
