@@ -62,7 +62,7 @@ namespace
       {"characterize FILE.prm",
        "run or resume a campaign, train the friction law",
        nullptr},
-      {"sensitivity FILE.prm",
+      {"sensitivity FILE.prm [--sobol N]",
        "how far mu depends on what you choose or do not know",
        nullptr},
       {"predict LAW -p P -v V -T T",

@@ -118,7 +118,7 @@ namespace
                   {"parameters", print_parameters},
                   {"topography", report_topography},
                   {"characterize", on_file(characterize)},
-                  {"sensitivity", on_file(report_sensitivity)},
+                  {"sensitivity", report_sensitivity},
                   {"conditions", on_file(print_conditions)}};
     if (arguments.empty())
       throw InputError("This program is a part of asperity; please call that.");

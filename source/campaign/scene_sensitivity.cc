@@ -30,48 +30,6 @@ namespace asperity
                                                ChoiceKind::scene,
                                                ChoiceKind::constants};
 
-    /** Runs whose number leaves this rank as rest are its own. */
-    std::vector<VariationResult>
-    shared_runs(
-      const std::string            &file,
-      const std::vector<Variation> &variations,
-      const std::function<void(const std::size_t, const std::size_t)> &progress)
-    {
-      MpiSession::start();
-      const MPI_Comm     all  = MPI_COMM_WORLD;
-      const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(all),
-                         n_ranks = dealii::Utilities::MPI::n_mpi_processes(all);
-      std::vector<double>                 mu(variations.size(), 0.);
-      std::map<unsigned int, std::string> reasons;
-      for (std::size_t i = rank; i < variations.size(); i += n_ranks)
-        {
-          RunOrder order;
-          order.changes = variations[i].also;
-          if (!variations[i].entry.empty())
-            order.changes.emplace_back(variations[i].entry,
-                                       variations[i].value);
-          const RunRecord record = execute(file, order);
-          mu[i]                  = record.mu;
-          if (!record.done)
-            reasons[i] = record.reason;
-          else if (!record.no_result.empty())
-            reasons[i] =
-              "its mean is no friction coefficient (" + record.no_result + ")";
-          if (progress)
-            progress(std::min(variations.size(), i + n_ranks),
-                     variations.size());
-        }
-      dealii::Utilities::MPI::sum(mu, all, mu);
-      std::vector<VariationResult> results;
-      for (std::size_t i = 0; i < variations.size(); ++i)
-        results.push_back({variations[i], mu[i], ""});
-      for (const auto &of_rank :
-           dealii::Utilities::MPI::all_gather(all, reasons))
-        for (const auto &[i, reason] : of_rank)
-          results[i].reason = reason;
-      return results;
-    }
-
     /** A mu that is zero to the tolerances of the solvers. */
     constexpr double no_friction = 1e-4;
 
@@ -96,6 +54,47 @@ namespace asperity
       return {{"below", spread.below}, {"above", spread.above}};
     }
   } // namespace
+
+
+
+  std::vector<VariationResult>
+  run_variations(
+    const std::string                                               &file,
+    const std::vector<Variation>                                    &variations,
+    const std::function<void(const std::size_t, const std::size_t)> &progress)
+  {
+    MpiSession::start();
+    const MPI_Comm     all     = MPI_COMM_WORLD;
+    const unsigned int rank    = dealii::Utilities::MPI::this_mpi_process(all),
+                       n_ranks = dealii::Utilities::MPI::n_mpi_processes(all);
+    std::vector<double>                 mu(variations.size(), 0.);
+    std::map<unsigned int, std::string> reasons;
+    // Runs whose number leaves this rank as rest are its own.
+    for (std::size_t i = rank; i < variations.size(); i += n_ranks)
+      {
+        RunOrder order;
+        order.changes = variations[i].also;
+        if (!variations[i].entry.empty())
+          order.changes.emplace_back(variations[i].entry, variations[i].value);
+        const RunRecord record = execute(file, order);
+        mu[i]                  = record.mu;
+        if (!record.done)
+          reasons[i] = record.reason;
+        else if (!record.no_result.empty())
+          reasons[i] =
+            "its mean is no friction coefficient (" + record.no_result + ")";
+        if (progress)
+          progress(std::min(variations.size(), i + n_ranks), variations.size());
+      }
+    dealii::Utilities::MPI::sum(mu, all, mu);
+    std::vector<VariationResult> results;
+    for (std::size_t i = 0; i < variations.size(); ++i)
+      results.push_back({variations[i], mu[i], ""});
+    for (const auto &of_rank : dealii::Utilities::MPI::all_gather(all, reasons))
+      for (const auto &[i, reason] : of_rank)
+        results[i].reason = reason;
+    return results;
+  }
 
 
 
@@ -156,7 +155,7 @@ namespace asperity
     std::vector<Variation> all = {Variation()}; // the scene itself
     all.insert(all.end(), variations.begin(), variations.end());
     SceneSensitivity sensitivity;
-    sensitivity.results         = shared_runs(file, all, progress);
+    sensitivity.results         = run_variations(file, all, progress);
     const VariationResult scene = sensitivity.results.front();
     sensitivity.results.erase(sensitivity.results.begin());
     if (!scene.reason.empty() || std::abs(scene.mu) < no_friction)
@@ -221,8 +220,9 @@ namespace asperity
 
 
   void
-  write_sensitivity(const SceneSensitivity &sensitivity,
-                    const std::string      &directory)
+  write_sensitivity(const SceneSensitivity       &sensitivity,
+                    const nlohmann::ordered_json &indices,
+                    const std::string            &directory)
   {
     std::error_code error;
     std::filesystem::create_directories(directory, error);
@@ -244,6 +244,8 @@ namespace asperity
         rows.push_back(row);
       }
     summary["variations"] = rows;
+    if (!indices.is_null())
+      summary["sobol"] = indices;
     write_summary(directory + "/sensitivity.json", summary);
     write_atomically(directory + "/sensitivity.csv", [&](std::ostream &out) {
       out << "entry,value,kind,mu,change\n" << std::setprecision(12);

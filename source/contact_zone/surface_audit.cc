@@ -47,7 +47,7 @@ namespace asperity
          ratio,
          "above 1 waves are left out that the map shows, which is right where "
          "they are noise"});
-      if (ratio > 4.)
+      if (ratio > 3.)
         audit.warnings.push_back(
           whose + " surface: the S-filter of " +
           format_quantity(topography.s_filter, "um", 3) +

@@ -1,4 +1,5 @@
 #include <asperity/base/errors.h>
+#include <asperity/campaign/choice_indices.h>
 #include <asperity/campaign/scene_sensitivity.h>
 
 #include <gtest/gtest.h>
@@ -150,7 +151,9 @@ TEST_F(SceneSensitivityTest, finds_the_entry_that_counts)
     {
       EXPECT_EQ(result.reason, "");
       if (result.variation.entry != "Interface/Friction coefficient")
-        EXPECT_NEAR(result.mu, 0.3, 1e-7) << result.variation.entry;
+        {
+          EXPECT_NEAR(result.mu, 0.3, 1e-7) << result.variation.entry;
+        }
     }
   EXPECT_NEAR(s.spread(ChoiceKind::constants).above, 0.1, 1e-6);
   EXPECT_NEAR(s.spread(ChoiceKind::constants).below, 0.1, 1e-6);
@@ -172,4 +175,77 @@ TEST_F(SceneSensitivityTest, tells_which_variation_fails)
   EXPECT_THROW(compute_sensitivity(
                  file("subsection Load\n set Pressure = no\nend\n"), {}, {}),
                ComputationError);
+}
+
+TEST_F(SceneSensitivityTest, takes_ranges_from_what_gave_a_mu)
+{
+  const SceneInput input(file(flat_scene));
+  SceneSensitivity s;
+  s.mu      = 0.3;
+  s.results = {
+    {{"Geometry/Chip height", "40 um", ChoiceKind::scene}, 0.9, ""},
+    {{"Geometry/Chip height", "80 um", ChoiceKind::scene}, 0., "it failed"},
+    {{"Protocol/End time",
+      "1 us",
+      ChoiceKind::scene,
+      {{"Protocol/Slide steps", "16"}}},
+     0.6,
+     ""},
+    {{"Interface/Friction coefficient", "0.33", ChoiceKind::constants},
+     0.33,
+     ""}};
+  const auto ranges = ranges_of_choices(s, input, 2);
+  ASSERT_EQ(ranges.size(), 2u);
+  EXPECT_EQ(ranges[0].entry, "Geometry/Chip height");
+  EXPECT_NEAR(ranges[0].upper, 40e-6, 1e-18);
+  EXPECT_NEAR(ranges[0].lower, input.parameters.geometry.height, 1e-18);
+  // The scene has 0.25 us in 4 steps.
+  const double      middle[] = {1., 0.5};
+  const EntryValues changes  = choice_at(ranges, middle);
+  ASSERT_EQ(changes.size(), 3u);
+  EXPECT_EQ(changes[0].second, "40 um");
+  EXPECT_EQ(changes[1],
+            EntryValues::value_type("Protocol/End time", "0.625 us"));
+  EXPECT_EQ(changes[2], EntryValues::value_type("Protocol/Slide steps", "10"));
+}
+
+// mu = mu_0 whatever the chip's height: all of the variance is of mu_0, and 95
+// % of it, evenly between 0.27 and 0.33, lie within 0.2715 and 0.3285.
+TEST_F(SceneSensitivityTest, indices_blame_what_counts)
+{
+  file(flat_scene);
+  const auto range = [](const std::string &entry,
+                        const std::string &unit,
+                        const std::string &lower,
+                        const std::string &upper) {
+    return ChoiceRange{entry,
+                       unit,
+                       0.,
+                       0.,
+                       {entry, lower, ChoiceKind::scene},
+                       {entry, upper, ChoiceKind::scene}};
+  };
+  const ChoiceIndices indices = compute_indices(
+    path,
+    {range("Geometry/Chip height", "um", "4 um", "8 um"),
+     range("Interface/Friction coefficient", "1", "0.27", "0.33")},
+    12,
+    {});
+  EXPECT_EQ(indices.n_runs, 12u);
+  EXPECT_NEAR(indices.indices[0].ST, 0., 0.01);
+  EXPECT_NEAR(indices.indices[1].S1, 1., 0.02);
+  EXPECT_LT(indices.error, 1e-3);
+  EXPECT_NEAR(indices.lower, 0.2715, 3e-4);
+  EXPECT_NEAR(indices.median, 0.3, 3e-4);
+  EXPECT_NEAR(indices.upper, 0.3285, 3e-4);
+  std::ostringstream text;
+  print_indices(indices, text);
+  EXPECT_NE(text.str().find(
+              "1.00         1.00  Interface/Friction coefficient from 0.27 to "
+              "0.33"),
+            std::string::npos)
+    << text.str();
+  EXPECT_THROW(
+    compute_indices(path, {range("Mesh/Spans", "1", "no", "no")}, 12, {}),
+    InputError);
 }

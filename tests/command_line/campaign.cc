@@ -266,6 +266,15 @@ TEST_F(Characterize, a_sensitivity_is_about_a_scene)
             std::string::npos)
     << nowhere.errors;
   EXPECT_EQ(nowhere.output.find("runs"), std::string::npos);
+  const Result sobol = run("sensitivity scene.prm --sobol 12");
+  EXPECT_EQ(sobol.status, 0) << sobol.errors;
+  EXPECT_NE(sobol.output.find("shares of the variance of mu"),
+            std::string::npos)
+    << sobol.output;
+  EXPECT_NE(read("results/sensitivity.json").find("\"S1\""), std::string::npos);
+  EXPECT_EQ(run("sensitivity scene.prm --sobol few").errors,
+            "Error: --sobol: found 'few'; expected a whole number of runs, at "
+            "least 12.\n");
   write("one.prm", campaign("one"));
   EXPECT_EQ(run("sensitivity one.prm").errors,
             "Error: one.prm describes a campaign; expected the parameter file "

@@ -17,7 +17,7 @@ TEST_F(Commands, help_lists_every_command)
                                     "asperity fit MEASURED.csv LAW",
                                     "asperity calibrate LAW",
                                     "asperity characterize FILE.prm",
-                                    "asperity sensitivity FILE.prm",
+                                    "asperity sensitivity FILE.prm [--sobol N]",
                                     "asperity predict LAW",
                                     "asperity export LAW DIRECTORY",
                                     "asperity topography FILE.prm"})

@@ -2,6 +2,7 @@
 #define asperity_campaign_commands_h
 
 #include <string>
+#include <vector>
 
 namespace asperity
 {
@@ -25,14 +26,15 @@ namespace asperity
   check_campaign(const std::string &file);
 
   /**
-   * `asperity sensitivity FILE.prm` of a scene: varies what its user decides by
-   * hand or does not know, one at a time and on all ranks, prints a table and
-   * an interval, and writes sensitivity.csv and .json into the scene's output
-   * directory.
+   * `asperity sensitivity FILE.prm [--sobol N]` of a scene: varies what its
+   * user decides by hand or does not know, one at a time and on all ranks,
+   * prints a table and an interval, and writes sensitivity.csv and .json into
+   * the scene's output directory. With N further runs, the largest effects are
+   * varied at a time, for Sobol's indices.
    * @return exit status
    */
   int
-  report_sensitivity(const std::string &file);
+  report_sensitivity(const std::vector<std::string> &arguments);
 
   /** Whether a parameter file has a subsection Campaign. */
   bool

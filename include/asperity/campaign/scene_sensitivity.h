@@ -4,6 +4,8 @@
 #include <asperity/campaign/run_record.h>
 #include <asperity/contact_zone/scene_input.h>
 
+#include <nlohmann/json.hpp>
+
 #include <functional>
 #include <iosfwd>
 #include <string>
@@ -53,6 +55,17 @@ namespace asperity
     std::string reason;  ///< why there is no mu; empty if there is one
   };
 
+  /**
+   * Computes variations of a scene, shared by the ranks of MPI_COMM_WORLD; one
+   * without an entry has only what goes along. All ranks get all results.
+   * @param progress is told how many of how many are done
+   */
+  std::vector<VariationResult>
+  run_variations(
+    const std::string                                               &file,
+    const std::vector<Variation>                                    &variations,
+    const std::function<void(const std::size_t, const std::size_t)> &progress);
+
   /** How far mu may lie below and above, as shares of it. */
   struct Spread
   {
@@ -98,10 +111,12 @@ namespace asperity
   print_sensitivity(const SceneSensitivity &sensitivity, std::ostream &out);
 
   /** sensitivity.csv and sensitivity.json in a folder, which is made.
+   *  @param indices Sobol's, see to_json(); null if there are none
    *  @throws ComputationError if they cannot be written */
   void
-  write_sensitivity(const SceneSensitivity &sensitivity,
-                    const std::string      &directory);
+  write_sensitivity(const SceneSensitivity       &sensitivity,
+                    const nlohmann::ordered_json &indices,
+                    const std::string            &directory);
 } // namespace asperity
 
 #endif
