@@ -96,6 +96,40 @@ TEST(SceneWarnings, of_a_poisson_ratio_at_which_meshes_lock)
                    "volume"));
 }
 
+TEST(SceneWarnings, of_choices_that_the_stability_map_shows_to_fail)
+{
+  SceneParameters parameters = coarse_scene();
+  const auto      audit      = [&parameters]() {
+    return audit_scene(parameters, Scene(parameters)).warnings;
+  };
+  parameters.protocol.inertia = Inertia::dynamic;
+  EXPECT_FALSE(says(audit(), "degree 1"));
+  EXPECT_FALSE(says(audit(), "Gauss-point"));
+  EXPECT_FALSE(says(audit(), "spectral radius"));
+  EXPECT_FALSE(says(audit(), "penalty is soft"));
+  parameters.contact.penalty_factor = 0.05;
+  EXPECT_TRUE(
+    says(audit(), "The contact penalty is soft against the roughness"));
+  parameters.contact.augmentations = 10;
+  EXPECT_FALSE(says(audit(), "penalty is soft"));
+  parameters.contact.penalty_factor = 100.;
+  EXPECT_FALSE(says(audit(), "Gauss-point"));
+  parameters.contact.formulation      = ContactFormulation::gauss_point;
+  parameters.protocol.spectral_radius = 1.;
+  parameters.mesh.degree              = 1;
+  EXPECT_TRUE(says(audit(),
+                   "The pressure of a Gauss-point contact oscillates with a "
+                   "penalty factor of 100"));
+  EXPECT_TRUE(says(audit(), "With a spectral radius of 1 nothing damps"));
+  EXPECT_TRUE(says(audit(), "Elements of degree 1 lock"));
+
+  // mu_0 p/(stick penalty times penalty) against a way of 0.83 um
+  parameters.interface.law = InterfaceShear::coulomb;
+  EXPECT_FALSE(says(audit(), "Spots stick"));
+  parameters.interface.stick_penalty = 1e-6;
+  EXPECT_TRUE(says(audit(), "Interface/Stick penalty"));
+}
+
 TEST(SceneWarnings, of_a_fast_chip_that_has_not_reached_the_tool)
 {
   // The ramp of 1.4 ns is shorter than a wave's way through the chip.

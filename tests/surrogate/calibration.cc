@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "calibration_example.h"
 
 using namespace calibration_example;
@@ -17,6 +19,30 @@ TEST(Calibration, band_holds_other_runs)
         // an unbiased law would be wrong by the mean of |noise|, 0.8 noise
         EXPECT_LT(quality.error, 0.01 + noise);
       }
+}
+
+
+
+// The law itself says which faces its points stay away from.
+TEST(Calibration, tells_a_face_without_runs)
+{
+  const auto says = [](const Quality &quality) {
+    return std::count_if(quality.warnings.begin(),
+                         quality.warnings.end(),
+                         [](const std::string &warning) {
+                           return warning.find("No run lies in the") == 0;
+                         });
+  };
+  EXPECT_EQ(says(judge(dry, 0.002, 40, everything)), 0);
+  const Quality quality =
+    judge(dry, 0.002, 40, [](const double *z) { return is_off_face(1, z); });
+  EXPECT_EQ(says(quality), 1);
+  EXPECT_NE(quality.warnings.back().find("No run lies in the highest"),
+            std::string::npos)
+    << quality.warnings.back();
+  EXPECT_NE(quality.warnings.back().find(" % of the range of p, where"),
+            std::string::npos)
+    << quality.warnings.back();
 }
 
 

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <functional>
+#include <string>
 #include <vector>
 
 /** Laws of functions that are known everywhere, so that their band can be
@@ -56,6 +57,8 @@ namespace calibration_example
   struct Quality
   {
     double coverage, error; ///< both shares
+
+    std::vector<std::string> warnings; ///< of the law
   };
 
   /** Training on corners and Sobol points that @p keep wants, judged by random
@@ -96,7 +99,7 @@ namespace calibration_example
         if (all || !is_trained(z))
           run(z);
       }
-    Quality quality{0., 0.};
+    Quality quality{0., 0., law.description().warnings};
     for (std::size_t j = 0; j < y.size(); ++j)
       {
         const LawPrediction found = law.predict(&x[3 * j]);

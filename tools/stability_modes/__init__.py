@@ -1,0 +1,1 @@
+"""The failure modes that tools/stability sweeps over, and what they share."""
