@@ -69,6 +69,9 @@ namespace asperity
         write("tribmu.f",
               fortran_source(law, report.has_deviation),
               "Fortran 77: the law, to be compiled into any program");
+        write("friction_law.js",
+              js_source(law, report.has_deviation),
+              "JavaScript: the law with its intervals, for pages and Node.js");
       }
 
       void

@@ -61,6 +61,9 @@ namespace asperity
     , factor(law.law().factor())
     , largest_trusted_deviation(
         law.law().description().largest_trusted_deviation)
+    , noise_variance(law.law().fitted() != nullptr ?
+                       law.law().fitted()->noise_variance() :
+                       law.law().process().noise_variance())
     , shear_limit(law.law().description().shear_limit)
     , strength(make_strength(law.law().description()))
   {

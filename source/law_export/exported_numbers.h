@@ -69,6 +69,7 @@ namespace asperity
     std::vector<Further>    further; ///< places 3, 4, ...
     double                  offset, factor;
     double                  largest_trusted_deviation;
+    double                  noise_variance; ///< of a run, scaled as m
     ShearLimit              shear_limit;
     Strength                strength;
     bool                    has_deviation = true;

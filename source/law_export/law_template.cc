@@ -9,7 +9,8 @@ namespace asperity
 {
   namespace
   {
-    /** What follows a word at the start of a comment of C or Fortran, or "". */
+    /** What follows a word at the start of a comment of C, JavaScript or
+     * Fortran, or "". */
     std::string
     behind(const std::string &with_blanks, const std::string &word)
     {

@@ -13,10 +13,13 @@ namespace asperity
     extern const char *const tribmu_h;
     extern const char *const tribmu_c;
     extern const char *const tribmu_f;
+    extern const char *const friction_law_js;
     extern const char *const gaussian_process_c;
     extern const char *const gaussian_process_f;
+    extern const char *const gaussian_process_js;
     extern const char *const piecewise_power_law_c;
     extern const char *const piecewise_power_law_f;
+    extern const char *const piecewise_power_law_js;
     extern const char *const tribef_f;
     extern const char *const abaqus_fric_coef_f;
     extern const char *const abaqus_vfriction_f;

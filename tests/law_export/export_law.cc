@@ -28,12 +28,14 @@ TEST(ExportLaw, writes_every_file_with_licence_and_provenance)
       const std::string extension =
         file.name.substr(file.name.find_last_of('.') + 1);
       const bool is_table = extension != "f" && extension != "c" &&
-                            extension != "h" && extension != "txt";
+                            extension != "h" && extension != "js" &&
+                            extension != "txt";
       EXPECT_EQ(file.interpolation_error > 0., is_table);
     }
   for (const std::string name : {"tribmu.h",
                                  "tribmu.c",
                                  "tribmu.f",
+                                 "friction_law.js",
                                  "abaqus_fric_coef.f",
                                  "abaqus_vfriction.f",
                                  "deform_usr_bcc.f",

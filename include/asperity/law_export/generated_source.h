@@ -35,6 +35,12 @@ namespace asperity
    */
   std::string
   fortran_source(const ContactPointLaw &law, const bool with_deviation);
+
+  /** The same in JavaScript, for pages and Node.js: friction_law.evaluate()
+   *  gives mu, its deviation, both 95 % intervals, `inside`, `trusted`, k and
+   *  tau; friction_law.inputs says what there is to set. */
+  std::string
+  js_source(const ContactPointLaw &law, const bool with_deviation);
 } // namespace asperity
 
 #endif
