@@ -1,7 +1,8 @@
 // Contact benchmarks that take longer than a test should. Writes
 //   contact_penalty.csv, contact_ironing.csv, contact_punch.csv
 // into the directory given as the first argument (default: the current one);
-// tools/benchmarks/contact_charts.py draws them.
+// tools/benchmarks/contact_charts.py draws them. With a second argument `hertz`
+// only a short contact_penalty.csv of Hertz's contact, for tools/charts.
 
 #include <asperity/base/environment.h>
 #include <asperity/base/mpi_session.h>
@@ -63,12 +64,71 @@ namespace
 
 
 
+  /** A row of the penalty sweep: Hertz's contact. */
   void
-  penalty_sweep(const std::string &directory)
+  hertz_row(std::ostream &table, const Discretization &discretization)
+  {
+    HalfPlane  body = hertz(discretization);
+    const bool found =
+      std::isfinite(body.problem->press(body.force, body.depth));
+    const auto   state = body.problem->contact->state();
+    const double p0    = hertz_pressure(body, 0.);
+    const double a2_R  = 1. / 500.; // a^2/R, the scale of the gap
+    table << "hertz," << name(discretization.formulation) << ','
+          << discretization.penalty_factor << ','
+          << (found ? pressure_error(*body.problem,
+                                     2.,
+                                     [&](const double x) {
+                                       return hertz_pressure(body, x);
+                                     }) :
+                      std::nan(""))
+          << ',' << state.max_pressure / p0 - 1. << ','
+          << state.max_penetration / a2_R << ','
+          << body.problem->statistics.iterations << ','
+          << condition_number(*body.problem) << std::endl;
+  }
+
+
+
+  /** A row of the penalty sweep: Westergaard's wave. */
+  void
+  westergaard_row(std::ostream &table, Discretization discretization)
+  {
+    discretization.resolution = 128.;
+    Westergaard        wave(discretization);
+    const double       a          = 0.25;
+    const bool         pressed    = wave.press(a);
+    const unsigned int iterations = wave.problem->statistics.iterations;
+    table << "westergaard," << name(discretization.formulation) << ','
+          << discretization.penalty_factor << ','
+          << (pressed ? pressure_error(*wave.problem,
+                                       0.5,
+                                       [&](const double x) {
+                                         return wave.exact_pressure(a, x);
+                                       }) :
+                        std::nan(""))
+          << ',' << wave.half_width() / a - 1. << ','
+          << wave.problem->contact->state().max_penetration / 4e-4 << ','
+          << iterations << ',' << condition_number(*wave.problem) << std::endl;
+  }
+
+
+
+  std::ofstream
+  penalty_table(const std::string &directory)
   {
     std::ofstream table(directory + "/contact_penalty.csv");
     table << "case,formulation,penalty_h_over_E,pressure_error,peak_error,"
              "penetration,iterations,condition\n";
+    return table;
+  }
+
+
+
+  void
+  penalty_sweep(const std::string &directory)
+  {
+    std::ofstream table = penalty_table(directory);
     for (const ContactFormulation formulation : formulations)
       for (const double c :
            {1e-2, 3e-2, 1e-1, 3e-1, 1., 3., 10., 30., 1e2, 3e2, 1e3, 3e3, 1e4})
@@ -76,42 +136,25 @@ namespace
           Discretization discretization;
           discretization.formulation    = formulation;
           discretization.penalty_factor = c;
+          hertz_row(table, discretization);
+          westergaard_row(table, discretization);
+        }
+  }
 
-          HalfPlane  body = hertz(discretization);
-          const bool found =
-            std::isfinite(body.problem->press(body.force, body.depth));
-          const unsigned int hertz_iterations =
-            body.problem->statistics.iterations;
-          const auto   state = body.problem->contact->state();
-          const double p0    = hertz_pressure(body, 0.);
-          const double a2_R  = 1. / 500.; // a^2/R, the scale of the gap
-          table << "hertz," << name(formulation) << ',' << c << ','
-                << (found ? pressure_error(*body.problem,
-                                           2.,
-                                           [&](const double x) {
-                                             return hertz_pressure(body, x);
-                                           }) :
-                            std::nan(""))
-                << ',' << state.max_pressure / p0 - 1. << ','
-                << state.max_penetration / a2_R << ',' << hertz_iterations
-                << ',' << condition_number(*body.problem) << std::endl;
 
-          discretization.resolution = 128.;
-          Westergaard        wave(discretization);
-          const double       a          = 0.25;
-          const bool         pressed    = wave.press(a);
-          const unsigned int iterations = wave.problem->statistics.iterations;
-          table << "westergaard," << name(formulation) << ',' << c << ','
-                << (pressed ? pressure_error(*wave.problem,
-                                             0.5,
-                                             [&](const double x) {
-                                               return wave.exact_pressure(a, x);
-                                             }) :
-                              std::nan(""))
-                << ',' << wave.half_width() / a - 1. << ','
-                << wave.problem->contact->state().max_penetration / 4e-4 << ','
-                << iterations << ',' << condition_number(*wave.problem)
-                << std::endl;
+
+  /** Hertz alone, a penalty a decade and the program's default. */
+  void
+  hertz_sweep(const std::string &directory)
+  {
+    std::ofstream table = penalty_table(directory);
+    for (const ContactFormulation formulation : formulations)
+      for (const double c : {1e-1, 1., 8., 1e2, 1e3, 1e4})
+        {
+          Discretization discretization;
+          discretization.formulation    = formulation;
+          discretization.penalty_factor = c;
+          hertz_row(table, discretization);
         }
   }
 
@@ -197,6 +240,11 @@ main(int argc, char **argv)
   use_one_thread_per_rank();
   const MpiSession  mpi(argc, argv);
   const std::string directory = argc > 1 ? argv[1] : ".";
+  if (argc > 2 && argv[2] == std::string("hertz"))
+    {
+      hertz_sweep(directory);
+      return 0;
+    }
   punch_table(directory);
   ironing_table(directory);
   penalty_sweep(directory);

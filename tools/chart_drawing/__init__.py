@@ -1,0 +1,6 @@
+"""The charts that tools/charts draws, a module each."""
+
+CHARTS = {
+    "2_contact_methods": "contact_methods",
+    "3_time_steps": "time_steps",
+}
