@@ -46,8 +46,8 @@ def number(value):
 
 
 # decades that a logarithmic axis shows, and the ticks in a decade up to there
-STEPS = ((0.4, tuple(0.5 * k for k in range(2, 20))), (0.75, (1, 1.5, 2, 3, 5, 7)),
-         (2.2, (1, 2, 5)), (3.3, (1, 3)), (math.inf, (1,)))
+STEPS = ((0.4, (1, 1.5, 2, 2.5, 3, 3.5, 4, 5, 6, 7, 8, 9)),
+         (0.75, (1, 1.5, 2, 3, 5, 7)), (2.2, (1, 2, 5)), (3.3, (1, 3)), (math.inf, (1,)))
 
 
 def log_axis(axis, ticks=None):

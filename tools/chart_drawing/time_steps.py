@@ -58,7 +58,7 @@ def draw(chart):
               if name.startswith("quasi-static") or name.startswith("ramp of")
               and "t_end" not in name}
     verdict = chart.judge(points[DEFAULT], points, "change of mu [%]")
-    windows = picture(chart, groups, of, runs, exact)
+    windows = picture(chart, groups, of, runs)
     dynamic = of[DEFAULT.replace("quasi-static", "dynamic")]
     chart.page(
         TITLE, "mu of R0 (300 MPa, 200 m/min, 25 degC) against {} + {} "
@@ -146,7 +146,7 @@ def draw_window(panel, runs):
     return sentence
 
 
-def picture(chart, groups, of, runs, exact):
+def picture(chart, groups, of, runs):
     figure, axes = panels(2, 2, width=5., height=3.5)
     draw_steps(axes[0, 0], groups, of, "steps")
     ends = draw_steps(axes[0, 1], groups, of, "Newton iterations")
