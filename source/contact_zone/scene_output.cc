@@ -384,7 +384,8 @@ namespace asperity
                              {"chip", scene.chip_surface.description}};
     json numbers;
     for (const AuditEntry &entry : audit.entries)
-      numbers[entry.name] = number_or_null(entry.value);
+      numbers[entry.name] = {{"value", number_or_null(entry.value)},
+                             {"meaning", entry.meaning}};
     summary["audit"]    = numbers;
     summary["cost"]     = summarise_cost(run, scene, seconds_, wall_time);
     summary["warnings"] = warnings;
