@@ -38,6 +38,8 @@ namespace asperity
         write_atomically(base_scene(), [&](std::ostream &out) {
           out << plan_.base_scene_text();
         });
+        write_atomically(parameters.directory + "/campaign.prm",
+                         [&](std::ostream &out) { declarator.write_prm(out); });
         if (!plan_.warning().empty())
           std::cout << "Warning: " << plan_.warning() << "\n";
         progress = std::make_unique<ProgressLine>(std::cout);
