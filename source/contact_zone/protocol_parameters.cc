@@ -41,6 +41,14 @@ namespace asperity
                        slide_steps,
                        Range::between(1, 1000000),
                        "Time steps from the end of the ramp to t_end.");
+    parameters.number("Maximum strain increment",
+                      strain_increment,
+                      Range::between(0., 10.),
+                      "Largest growth of the plastic strain in a time step "
+                      "anywhere in the chip: a step with a larger one is "
+                      "halved, and the next ones grow by a factor of two at "
+                      "most until they are as long as the entries above say; "
+                      "0: any growth.");
     parameters.choice("Inertia",
                       inertia,
                       {{"automatic", Inertia::automatic},

@@ -62,7 +62,7 @@ namespace asperity
       {
         dealii::Timer timer;
         const double  target = protocol_.next_time(state_.time);
-        double        dt     = target - state_.time;
+        double        dt     = proposed_step(target - state_.time);
         std::string   reason;
         unsigned int  halvings = 0;
         while (!try_step(dt, reason))
@@ -143,6 +143,13 @@ namespace asperity
           u(line.index) = protocol_.displacement(state_.time + dt);
         const ConvergenceReport report =
           lubricated_step_ ? lubricated_step_->advance(u, dt) : solve(u);
+        if (report.converged && yields_too_much())
+          {
+            reason = "the plastic strain grows by more than Protocol/Maximum "
+                     "strain increment in it";
+            scene.contact->set_multipliers(multipliers);
+            return false; // another first guess has the same solution
+          }
         if (report.converged)
           {
             accept(u, dt);
@@ -153,6 +160,26 @@ namespace asperity
         begin_lubricant();
       }
     return false;
+  }
+
+
+
+  double
+  SlidingRun::proposed_step(const double regular) const
+  {
+    // A limit that has halved a step is likely to halve the next one, too.
+    return parameters.protocol.strain_increment > 0. && state_.step > 0 ?
+             std::min(regular, 2. * state_.dt_previous) :
+             regular;
+  }
+
+
+
+  bool
+  SlidingRun::yields_too_much() const
+  {
+    const double limit = parameters.protocol.strain_increment;
+    return limit > 0. && scene.chip->largest_strain_increment() > limit;
   }
 
 
@@ -319,80 +346,5 @@ namespace asperity
     if (std::abs(state_.time - protocol_.end_time()) <
         1e-9 * protocol_.end_time())
       state_.time = protocol_.end_time();
-  }
-
-
-
-  const RunState &
-  SlidingRun::state() const
-  {
-    return state_;
-  }
-
-
-
-  void
-  SlidingRun::set_state(const RunState &state)
-  {
-    state_ = state;
-    // The counts go on from those of the rows.
-    for (const FrictionRow &row : state.rows)
-      statistics.iterations += row.newton_iterations;
-  }
-
-
-
-  SolidStep &
-  SlidingRun::solid_step()
-  {
-    return step;
-  }
-
-
-
-  const SolidStep &
-  SlidingRun::solid_step() const
-  {
-    return step;
-  }
-
-
-
-  LubricatedStep *
-  SlidingRun::lubricated_step() const
-  {
-    return lubricated_step_.get();
-  }
-
-
-
-  const LoadProtocol &
-  SlidingRun::protocol() const
-  {
-    return protocol_;
-  }
-
-
-
-  double
-  SlidingRun::period() const
-  {
-    return scene.length;
-  }
-
-
-
-  const NewtonStatistics &
-  SlidingRun::newton_statistics() const
-  {
-    return statistics;
-  }
-
-
-
-  unsigned int
-  SlidingRun::n_cuts() const
-  {
-    return cuts;
   }
 } // namespace asperity

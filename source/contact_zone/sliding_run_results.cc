@@ -140,4 +140,79 @@ namespace asperity
                    parameters.material.melting_entry() + ").";
     return sentences;
   }
+
+
+
+  const RunState &
+  SlidingRun::state() const
+  {
+    return state_;
+  }
+
+
+
+  void
+  SlidingRun::set_state(const RunState &state)
+  {
+    state_ = state;
+    // The counts go on from those of the rows.
+    for (const FrictionRow &row : state.rows)
+      statistics.iterations += row.newton_iterations;
+  }
+
+
+
+  SolidStep &
+  SlidingRun::solid_step()
+  {
+    return step;
+  }
+
+
+
+  const SolidStep &
+  SlidingRun::solid_step() const
+  {
+    return step;
+  }
+
+
+
+  LubricatedStep *
+  SlidingRun::lubricated_step() const
+  {
+    return lubricated_step_.get();
+  }
+
+
+
+  const LoadProtocol &
+  SlidingRun::protocol() const
+  {
+    return protocol_;
+  }
+
+
+
+  double
+  SlidingRun::period() const
+  {
+    return scene.length;
+  }
+
+
+
+  const NewtonStatistics &
+  SlidingRun::newton_statistics() const
+  {
+    return statistics;
+  }
+
+
+
+  unsigned int
+  SlidingRun::n_cuts() const
+  {
+    return cuts;
+  }
 } // namespace asperity

@@ -248,6 +248,19 @@ namespace asperity
 
 
 
+  double
+  SolidAssembler::largest_strain_increment() const
+  {
+    double largest = 0.;
+    for (std::size_t q = 0; q < old_history.size(); ++q)
+      largest =
+        std::max(largest,
+                 new_history[q].plastic_strain - old_history[q].plastic_strain);
+    return largest;
+  }
+
+
+
   void
   SolidAssembler::initialize(const MaterialState &state)
   {

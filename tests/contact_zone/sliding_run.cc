@@ -265,3 +265,33 @@ TEST(SlidingRun, gives_up_with_the_last_good_state)
   EXPECT_EQ(run.state().step, n_good);
   EXPECT_EQ(run.state().rows.size(), n_good + 1);
 }
+
+// No step may let the plastic strain grow by more than the limit anywhere, and
+// steps grow by a factor of two at most, up to the regular ones.
+TEST(SlidingRun, halves_steps_in_which_the_strain_grows_too_much)
+{
+  const CompleteRun regular(coarse_scene());
+  const double      limit              = 0.05;
+  SceneParameters   parameters         = coarse_scene();
+  parameters.protocol.strain_increment = limit;
+  Scene                      scene(parameters);
+  SlidingRun                 run(parameters, scene);
+  std::vector<MaterialState> before  = scene.chip->history();
+  double                     largest = 0.;
+  run.run([&](const SlidingRun &) {
+    const std::vector<MaterialState> &after = scene.chip->history();
+    for (std::size_t q = 0; q < after.size(); ++q)
+      largest =
+        std::max(largest, after[q].plastic_strain - before[q].plastic_strain);
+    before = after;
+  });
+  EXPECT_LE(largest, limit);
+  EXPECT_GT(largest, 0.25 * limit);
+  const std::vector<FrictionRow> &rows = run.state().rows;
+  EXPECT_GT(rows.size(), regular.rows().size());
+  EXPECT_GT(run.n_cuts(), 0u);
+  for (std::size_t i = 2; i < rows.size(); ++i)
+    EXPECT_LE(rows[i].time - rows[i - 1].time,
+              2. * (rows[i - 1].time - rows[i - 2].time) * (1. + 1e-9));
+  EXPECT_DOUBLE_EQ(rows.back().time, parameters.protocol.end_time);
+}

@@ -152,6 +152,7 @@ namespace asperity
     double         ramp_fraction    = 0.2;
     unsigned int   ramp_steps       = 24;
     unsigned int   slide_steps      = 96;
+    double         strain_increment = 0.; ///< most in a step; 0: any
     Inertia        inertia          = Inertia::automatic;
     double         spectral_radius  = 0.8;
     FrictionWindow window           = FrictionWindow::time;

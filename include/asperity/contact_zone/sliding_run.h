@@ -122,6 +122,16 @@ namespace asperity
     bool
     try_step(const double dt, std::string &reason);
 
+    /** Length of the next step [s]: the regular one, unless shorter ones were
+     *  needed. */
+    double
+    proposed_step(const double regular) const;
+
+    /** Whether the plastic strain grows by more than it may in the step that
+     *  has been solved. */
+    bool
+    yields_too_much() const;
+
     /** Sentences on what in the parameters may keep a step from a solution,
      *  each after a blank; empty if nothing is known. */
     std::string

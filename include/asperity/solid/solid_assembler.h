@@ -57,6 +57,11 @@ namespace asperity
     void
     initialize(const MaterialState &state);
 
+    /** Growth of the equivalent plastic strain from the start of the step to
+     *  its end, at the point where it is largest. */
+    double
+    largest_strain_increment() const;
+
     /** States at the start of the step, one a point of table(). */
     const std::vector<MaterialState> &
     history() const;
