@@ -1,7 +1,4 @@
 #include <asperity/contact_zone/error_estimate.h>
-#include <asperity/contact_zone/scene_computation.h>
-
-#include <deal.II/base/exceptions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,16 +7,27 @@ namespace asperity
 {
   namespace
   {
-    /** Order of mu in the element length. The edges of contacts leave a
-     *  displacement in H^(5/2), whatever the degree from 2 on is (Z. Belhachmi
-     *  and F. Ben Belgacem, Math. Comp. 72 (2003) 83-104). */
-    constexpr double mesh_order = 1.5;
+    /** Order of mu in the element length: of the changes that halving the
+     *  elements makes on the reference scenes, and twice that of the
+     *  displacement, whose edges of contacts leave it in H^(5/2)
+     *  (Z. Belhachmi and F. Ben Belgacem, Math. Comp. 72 (2003) 83-104), less
+     *  what plastic flow takes. */
+    constexpr int mesh_order = 2;
 
-    unsigned int
-    halved(const unsigned int n)
+    /** What halving elements or steps changes over the error that is left, if
+     *  the error has an order q: 2^q - 1 where errors of both runs have one
+     *  sign, (2^2q + 1)^(1/2) where signs are left to chance. Both are seen, so
+     *  that their geometric mean counts. */
+    double
+    change_over_error(const int order)
     {
-      return std::max(1u, (n + 1) / 2);
+      const double ratio = std::ldexp(1., order);
+      return std::sqrt((ratio - 1.) * std::hypot(ratio, 1.));
     }
+
+    /** Elements that a run has to pass for one with elements twice as long to
+     *  tell of its steps and its penalty. */
+    constexpr double enough_elements = 4.;
   } // namespace
 
 
@@ -31,17 +39,27 @@ namespace asperity
     parameters.choice(
       "Control",
       control,
-      {{"off", AccuracyControl::off}, {"estimate", AccuracyControl::estimate}},
-      "`estimate`: three coarser companions of the run tell the "
-      "numerical error of mu by mesh, time steps and penalty, "
-      "for as much time again as the run took; `off`: nobody "
-      "tells it.");
+      {{"off", AccuracyControl::off},
+       {"estimate", AccuracyControl::estimate},
+       {"adaptive", AccuracyControl::adaptive}},
+      "`estimate`: coarser companions of the run tell the numerical error of "
+      "mu by mesh, time steps and penalty, for as much time again as the run "
+      "took or, where the chip slides over a few elements only, twice as much; "
+      "`adaptive`: runs at finer and finer settings until that error is the "
+      "wanted one, beginning with half of the Spans, Ramp steps, Slide steps "
+      "and penalty of the file, each round refining what costs least; `off`: "
+      "nobody tells it.");
     parameters.number("Error",
                       error,
                       Range{0., 0.5, true, true},
                       "Relative numerical error of mu that is wanted: a run "
                       "whose estimate is larger ends with a warning that names "
                       "what to refine; 0: no estimate is made.");
+    parameters.integer("Maximum unknowns",
+                       maximum_unknowns,
+                       Range::between(100, 10000000),
+                       "`adaptive`: largest number of unknowns of a mesh that "
+                       "may be chosen.");
   }
 
 
@@ -49,7 +67,9 @@ namespace asperity
   double
   ErrorEstimate::total() const
   {
-    return std::sqrt(mesh * mesh + step * step + penalty * penalty);
+    const double squares = mesh * mesh + step * step + penalty * penalty;
+    const double sum     = mesh + step + penalty;
+    return std::sqrt(0.5 * (squares + sum * sum));
   }
 
 
@@ -57,74 +77,50 @@ namespace asperity
   std::string
   ErrorEstimate::largest() const
   {
-    return mesh >= std::max(step, penalty) ? "mesh" :
-           step >= penalty                 ? "step" :
-                                             "penalty";
-  }
-
-
-
-  SceneParameters
-  with_coarser_mesh(const SceneParameters &parameters)
-  {
-    SceneParameters result = parameters;
-    MeshParameters &mesh   = result.mesh;
-    Assert(mesh.has_coarser(), dealii::ExcMessage("no coarser mesh"));
-    mesh.spans /= 2;
-    if (mesh.refinement > 0)
-      --mesh.refinement;
-    result.contact.penalty_factor *= 2.; // over elements twice as long
-    return result;
-  }
-
-
-
-  SceneParameters
-  with_longer_steps(const SceneParameters &parameters)
-  {
-    SceneParameters     result   = parameters;
-    ProtocolParameters &protocol = result.protocol;
-    protocol.ramp_steps          = halved(protocol.ramp_steps);
-    protocol.slide_steps         = halved(protocol.slide_steps);
-    protocol.steady_step *= 2.;
-    return result;
-  }
-
-
-
-  SceneParameters
-  with_softer_contact(const SceneParameters &parameters)
-  {
-    SceneParameters result = parameters;
-    result.contact.penalty_factor *= 0.5;
-    if (result.contact.penalty)
-      *result.contact.penalty *= 0.5;
-    return result;
+    const double of_mesh = std::abs(mesh), of_steps = std::abs(step),
+                 of_penalty = std::abs(penalty);
+    return of_mesh >= std::max(of_steps, of_penalty) ? "mesh" :
+           of_steps >= of_penalty                    ? "step" :
+                                                       "penalty";
   }
 
 
 
   ErrorEstimate
-  estimate_error(const SceneParameters                   &parameters,
-                 const double                             mu,
-                 const std::function<void(unsigned int)> &progress)
+  ErrorEstimate::after(const Fineness &finer) const
   {
-    unsigned int n     = 0;
-    const auto   mu_of = [&](SceneParameters companion) {
-      if (progress)
-        progress(++n);
-      return compute_scene(companion).friction.mu;
+    return {std::ldexp(mesh, -mesh_order * finer.mesh),
+            std::ldexp(step, -finer.step),
+            std::ldexp(penalty, -finer.penalty)};
+  }
+
+
+
+  ErrorEstimate
+  estimate_error(RunFamily &family, const Fineness &of)
+  {
+    const FamilyMember &run    = family.run(of);
+    const double        scale  = 1. / std::max(std::abs(run.mu), 1e-300);
+    const auto          change = [&](const Fineness &from, const Fineness &to) {
+      return scale * (family.run(to).mu - family.run(from).mu);
     };
-    const SceneParameters coarse    = with_coarser_mesh(parameters);
-    const double          mu_coarse = mu_of(coarse);
-    const double          scale     = 1. / std::max(std::abs(mu), 1e-300);
-    ErrorEstimate         result;
-    result.mesh =
-      scale * std::abs(mu - mu_coarse) / (std::pow(2., mesh_order) - 1.);
+    const Fineness coarse{of.mesh - 1, of.step, of.penalty};
+    const Fineness coarser{of.mesh - 2, of.step, of.penalty};
+    ErrorEstimate  result;
+    result.mesh = change(of, coarse) / change_over_error(mesh_order);
+    if (has_mesh(family.parameters(), coarser.mesh))
+      {
+        const double before = change(coarse, coarser) /
+                              change_over_error(mesh_order) /
+                              std::ldexp(1., mesh_order);
+        result.mesh =
+          std::copysign(std::sqrt(std::abs(result.mesh * before)), result.mesh);
+      }
+    const Fineness base = run.elements_passed < enough_elements ? of : coarse;
     result.step =
-      scale * std::abs(mu_of(with_longer_steps(coarse)) - mu_coarse);
+      change(base, {base.mesh, of.step - 1, of.penalty}) / change_over_error(1);
     result.penalty =
-      scale * std::abs(mu_of(with_softer_contact(coarse)) - mu_coarse);
+      change(base, {base.mesh, of.step, of.penalty - 1}) / change_over_error(1);
     return result;
   }
 } // namespace asperity

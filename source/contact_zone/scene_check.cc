@@ -58,6 +58,33 @@ namespace asperity
 
 
 
+  void
+  MeshParameters::coarsen()
+  {
+    spans /= 2;
+    if (refinement > 0)
+      --refinement;
+  }
+
+
+
+  bool
+  MeshParameters::has_finer() const
+  {
+    return 2 * spans <= most_spans && refinement < most_levels;
+  }
+
+
+
+  void
+  MeshParameters::refine()
+  {
+    spans *= 2;
+    ++refinement;
+  }
+
+
+
   unsigned int
   MeshParameters::fewest_quadrature_points() const
   {
@@ -168,13 +195,18 @@ namespace asperity
       lubrication.oil.check_temperature(parameters, load.temperature);
     mesh.check(parameters, geometry.height);
     if (accuracy.is_wanted() && !mesh.has_coarser())
-      throw InputError(
-        parameters.where("Mesh/Spans") + ": found " +
-        std::to_string(mesh.spans) +
-        ", of which no coarser mesh can be made that would tell "
-        "the error of mu (Accuracy/Control = estimate); expected "
-        "an even number of at least " +
-        std::to_string(4 * mesh.degree + 4) + " spans.");
+      throw InputError(parameters.where("Mesh/Spans") + ": found " +
+                       std::to_string(mesh.spans) +
+                       ", of which no coarser mesh can be made that would tell "
+                       "the error of mu (Accuracy/Control); expected "
+                       "an even number of at least " +
+                       std::to_string(4 * mesh.degree + 4) + " spans.");
+    if (accuracy.is_adaptive() && output.restart)
+      throw InputError(parameters.where("Output/Restart") +
+                       ": found true with Accuracy/Control = adaptive, which "
+                       "begins with coarser runs; expected false, or a restart "
+                       "by the parameters.prm of the output directory, which "
+                       "has the settings of the last round.");
     material.check(parameters);
     check_interface(*this, parameters);
     heat.check(parameters, material.heating.adiabatic);

@@ -113,6 +113,7 @@ namespace asperity
       // what is told of its error
       "Accuracy/Control",
       "Accuracy/Error",
+      "Accuracy/Maximum unknowns",
       // how a solution is found, not what it is
       "Solver/Maximum iterations",
       "Solver/Maximum cuts",

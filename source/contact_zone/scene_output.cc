@@ -338,11 +338,11 @@ namespace asperity
 
 
   void
-  SceneOutput::finish(const SlidingRun                   &run,
-                      const SceneAudit                   &audit,
-                      const std::optional<ErrorEstimate> &error,
-                      const std::vector<std::string>     &warnings,
-                      const double                        wall_time)
+  SceneOutput::finish(const SlidingRun               &run,
+                      const SceneAudit               &audit,
+                      const AccuracyReport           &accuracy,
+                      const std::vector<std::string> &warnings,
+                      const double                    wall_time)
   {
     dealii::Timer timer;
     if (last_picture != run.state().step)
@@ -353,12 +353,8 @@ namespace asperity
     summary["program"]          = version_json();
     summary["friction"]         = summarise_friction(run, parameters);
     summary["contact_fraction"] = run.friction().contact_fraction;
-    if (error)
-      summary["accuracy"] = {{"error", error->total()},
-                             {"mesh", error->mesh},
-                             {"step", error->step},
-                             {"penalty", error->penalty},
-                             {"wanted", parameters.accuracy.error}};
+    if (accuracy.error)
+      summary["accuracy"] = to_json(accuracy);
     if (scene.lubricant)
       summary["oil"] = summarise_oil(run, scene, parameters);
     if (scene.heat)

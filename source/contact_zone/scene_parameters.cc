@@ -39,11 +39,11 @@ namespace asperity
                        "continuously differentiable.");
     parameters.integer("Spans",
                        spans,
-                       Range::between(4, 4096),
+                       Range::between(4, most_spans),
                        "Bezier elements along the contact edge over a period.");
     parameters.integer("Refinement levels",
                        refinement,
-                       Range::between(0, 6),
+                       Range::between(0, most_levels),
                        "Levels of hierarchical refinement between the bottom "
                        "and the contact edge; each halves the element size. "
                        "Spans must be a multiple of 2 to this power.");

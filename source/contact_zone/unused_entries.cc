@@ -133,37 +133,39 @@ namespace asperity
         return
           [=](const SceneParameters &p) { return p.protocol.window == window; };
       };
-      return {{{"Protocol/End time"},
-               "an automatic Sliding distance",
-               [](const SceneParameters &p) {
-                 return !p.protocol.sliding_distance;
-               }},
-              {{"Accuracy/Error"},
-               "the Control estimate",
-               [](const SceneParameters &p) {
-                 return p.accuracy.control == AccuracyControl::estimate;
-               }},
-              {{"Protocol/Spectral radius"},
-               "the Inertia dynamic",
-               [](const SceneParameters &p) {
-                 return p.protocol.inertia != Inertia::quasi_static;
-               }},
-              {{"Protocol/Window fraction", "Protocol/Slide steps"},
-               "the Friction window time",
-               window(FrictionWindow::time)},
-              {{"Protocol/Steady distance",
-                "Protocol/Steady step",
-                "Protocol/Steady tolerance",
-                "Protocol/Maximum distance"},
-               "the Friction window steady",
-               window(FrictionWindow::steady)},
-              {{"Solver/Linear solver"},
-               "a symmetric tangent, which the lubricant model Reynolds has "
-               "not: umfpack stands in for cholmod",
-               [](const SceneParameters &p) {
-                 return p.lubrication.model != LubricantModel::reynolds ||
-                        p.solver.linear_solver != DirectSolverKind::cholmod;
-               }}};
+      return {
+        {{"Protocol/End time"},
+         "an automatic Sliding distance",
+         [](const SceneParameters &p) { return !p.protocol.sliding_distance; }},
+        {{"Accuracy/Error"},
+         "the Control estimate or adaptive",
+         [](const SceneParameters &p) {
+           return p.accuracy.control != AccuracyControl::off;
+         }},
+        {{"Accuracy/Maximum unknowns"},
+         "the Control adaptive",
+         [](const SceneParameters &p) { return p.accuracy.is_adaptive(); }},
+        {{"Protocol/Spectral radius"},
+         "the Inertia dynamic",
+         [](const SceneParameters &p) {
+           return p.protocol.inertia != Inertia::quasi_static;
+         }},
+        {{"Protocol/Window fraction", "Protocol/Slide steps"},
+         "the Friction window time",
+         window(FrictionWindow::time)},
+        {{"Protocol/Steady distance",
+          "Protocol/Steady step",
+          "Protocol/Steady tolerance",
+          "Protocol/Maximum distance"},
+         "the Friction window steady",
+         window(FrictionWindow::steady)},
+        {{"Solver/Linear solver"},
+         "a symmetric tangent, which the lubricant model Reynolds has "
+         "not: umfpack stands in for cholmod",
+         [](const SceneParameters &p) {
+           return p.lubrication.model != LubricantModel::reynolds ||
+                  p.solver.linear_solver != DirectSolverKind::cholmod;
+         }}};
     }
 
     const EntryConditions &

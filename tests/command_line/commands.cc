@@ -193,3 +193,48 @@ TEST_F(Commands, a_run_tells_the_numerical_error_of_mu_where_that_is_wanted)
   EXPECT_EQ(run("scene.prm").output.find("numerics"), std::string::npos);
   EXPECT_EQ(read("run/summary.json").find("\"accuracy\""), std::string::npos);
 }
+
+TEST_F(Commands, a_run_chooses_its_settings_where_that_is_wanted)
+{
+  const auto scene = [](const std::string &accuracy) {
+    return "subsection Mesh\n set Spans = 40\n set Refinement levels = 1\nend\n"
+           "subsection Protocol\n set Ramp steps = 4\n set Slide steps = 6\nend\n"
+           "subsection Accuracy\n set Control = adaptive\n" +
+           accuracy +
+           "end\nsubsection Output\n set Output directory = run\nend\n";
+  };
+  // Half of the steps and of the penalty, then finer ones.
+  write("scene.prm", scene(" set Error = 0.06\n"));
+  Result result = run("scene.prm");
+  EXPECT_EQ(result.status, 0) << result.errors;
+  EXPECT_NE(result.output.find(
+              "round 1: 40 spans, 2 + 3 steps, penalty factor 4: mu = "),
+            std::string::npos)
+    << result.output;
+  EXPECT_NE(result.output.find("round 2: "), std::string::npos);
+  EXPECT_EQ(result.output.find("Accuracy/Error wants"), std::string::npos);
+  EXPECT_NE(read("run/summary.json").find("\"rounds\""), std::string::npos);
+  // What was chosen can be repeated, and is in the folder.
+  EXPECT_NE(read("run/parameters.prm").find("Control = estimate"),
+            std::string::npos);
+  const std::string last =
+    result.output.substr(result.output.rfind("\nmu = "), 20);
+  result = run("run/parameters.prm");
+  EXPECT_NE(result.output.find(last), std::string::npos);
+
+  write("scene.prm", scene(" set Error = 1e-3\n set Maximum unknowns = 500\n"));
+  result = run("scene.prm");
+  EXPECT_EQ(result.status, 0) << result.errors;
+  EXPECT_NE(result.output.find(
+              "settings that are finer where it matters need more than the "
+              "500 unknowns of Accuracy/Maximum unknowns."),
+            std::string::npos)
+    << result.output;
+
+  write("scene.prm",
+        scene("") + "subsection Output\n set Restart = true\nend\n");
+  result = run("scene.prm");
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.errors.find("found true with Accuracy/Control = adaptive"),
+            std::string::npos);
+}

@@ -154,7 +154,7 @@ TEST(UnusedEntries, of_every_subsection_are_used_somewhere)
      {"Lubricant/Pressure law", "Roelands"},
      {"Protocol/Friction window", "steady"},
      {"Contact/Augmentations", "2"},
-     {"Accuracy/Control", "estimate"},
+     {"Accuracy/Control", "adaptive"},
      {"Tool/Kind", "measured"},
      {"Tool/Topography/Crop", "window"},
      {"Tool/Topography/F-operator", "polynomial"},

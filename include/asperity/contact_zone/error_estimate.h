@@ -1,22 +1,28 @@
 #ifndef asperity_contact_zone_error_estimate_h
 #define asperity_contact_zone_error_estimate_h
 
-#include <asperity/contact_zone/scene_parameters.h>
+#include <asperity/contact_zone/run_family.h>
 
-#include <functional>
 #include <string>
 
 namespace asperity
 {
-  /** The numerical error of mu by source; each is relative to mu and not
-   *  negative. */
+  /** The numerical error of mu by source, each relative to mu, and positive if
+   *  mu seems to be too large. */
   struct ErrorEstimate
   {
     double mesh = 0., step = 0., penalty = 0.;
 
-    /** All of them; their signs are not known to be the same. */
+    /** All of them; not negative. Their signs are known where mu converges
+     *  smoothly, and left to chance where edges of contacts pass few elements:
+     *  the quadratic mean of their sum and of the root of the sum of their
+     *  squares. */
     double
     total() const;
+
+    /** What is left of it at settings that are finer by this. */
+    ErrorEstimate
+    after(const Fineness &finer) const;
 
     /** "mesh", "step" or "penalty", whichever is largest. */
     std::string
@@ -24,35 +30,21 @@ namespace asperity
   };
 
   /**
-   * The error of a run by three companions of half as many spans along the
-   * contact edge, which cost a third of the run or less each: one as it is, one
-   * with half as many time steps, one with half the penalty. The error by steps
-   * and penalty, which is of first order, is what the halving changes on the
-   * coarse mesh; that by the mesh is what halving the spans changes over 2^q -
-   * 1 with the order q = 3/2 that the edges of contacts leave.
+   * The error of a run by coarser companions of its family.
    *
-   * @param parameters of the run, with models chosen by `automatic` in them
-   * @param mu of the run
-   * @param progress is told which companion runs, 1 to 3
+   * Halving the elements twice measures the constant C of an error C h^2 by two
+   * changes of mu. Either may be small or large by chance, since edges of
+   * contacts come to lie somewhere in elements, so that their geometric mean
+   * counts. The error by steps and penalty, which is of first order, is told by
+   * what halving each of them changes on elements twice as long, which cost a
+   * third; on those of the run if the chip slides over a few of them only, when
+   * longer ones would tell of themselves.
+   *
+   * @param of the run whose error is wanted; its mesh must have a coarser one
    * @throws ComputationError if a companion fails
    */
   ErrorEstimate
-  estimate_error(const SceneParameters                   &parameters,
-                 const double                             mu,
-                 const std::function<void(unsigned int)> &progress = {});
-
-  /** The run with half as many spans and the same penalty [Pa/m]; the mesh
-   *  must have a coarser one, MeshParameters::has_coarser(). */
-  SceneParameters
-  with_coarser_mesh(const SceneParameters &parameters);
-
-  /** The run with half as many time steps. */
-  SceneParameters
-  with_longer_steps(const SceneParameters &parameters);
-
-  /** The run with half the penalty. */
-  SceneParameters
-  with_softer_contact(const SceneParameters &parameters);
+  estimate_error(RunFamily &family, const Fineness &of);
 } // namespace asperity
 
 #endif

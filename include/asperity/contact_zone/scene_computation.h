@@ -27,6 +27,8 @@ namespace asperity
     bool                      is_steady         = true;
     unsigned int              steps             = 0;
     unsigned int              newton_iterations = 0;
+    unsigned int              unknowns          = 0;
+    double                    contact_element   = 0.; ///< length [m]
     std::vector<std::string>  warnings;
   };
 

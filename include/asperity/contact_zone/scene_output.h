@@ -2,8 +2,8 @@
 #define asperity_contact_zone_scene_output_h
 
 #include <asperity/base/input_record.h>
+#include <asperity/contact_zone/accuracy_control.h>
 #include <asperity/contact_zone/audit.h>
-#include <asperity/contact_zone/error_estimate.h>
 #include <asperity/contact_zone/sliding_run.h>
 #include <asperity/postprocess/checkpoint.h>
 #include <asperity/postprocess/chip_output.h>
@@ -40,13 +40,14 @@ namespace asperity
     step(const SlidingRun &run);
 
     /** The last pictures, and summary.json.
-     *  @param error numerical error of mu, if it was estimated */
+     *  @param accuracy what is known of the error of mu; nothing is shown if
+     *    none is wanted */
     void
-    finish(const SlidingRun                   &run,
-           const SceneAudit                   &audit,
-           const std::optional<ErrorEstimate> &error,
-           const std::vector<std::string>     &warnings,
-           const double                        wall_time);
+    finish(const SlidingRun               &run,
+           const SceneAudit               &audit,
+           const AccuracyReport           &accuracy,
+           const std::vector<std::string> &warnings,
+           const double                    wall_time);
 
     /** Writes a checkpoint now, e.g. before the run gives up. */
     void

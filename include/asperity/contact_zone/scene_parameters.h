@@ -84,6 +84,8 @@ namespace asperity
 
   struct MeshParameters
   {
+    static constexpr unsigned int most_spans = 4096, most_levels = 6;
+
     unsigned int degree     = 2;
     unsigned int spans      = 160;
     unsigned int refinement = 3;
@@ -108,6 +110,19 @@ namespace asperity
     /** Whether there is a mesh of half as many spans. */
     bool
     has_coarser() const;
+
+    /** Takes it. */
+    void
+    coarsen();
+
+    /** Whether twice as many spans are still allowed. */
+    bool
+    has_finer() const;
+
+    /** Takes twice as many spans, with one more level of refinement, so that
+     *  the depth stays as coarse as it is. */
+    void
+    refine();
 
     /** The fewest with which no motion but a rigid one is free of stress. */
     unsigned int

@@ -1,0 +1,43 @@
+#ifndef asperity_contact_zone_accurate_run_h
+#define asperity_contact_zone_accurate_run_h
+
+#include <asperity/contact_zone/scene_run.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace asperity
+{
+  /** A run with what is known of its numerical error. */
+  struct AccurateRun
+  {
+    std::unique_ptr<SceneRun> scene;
+    AccuracyReport            accuracy;
+    std::vector<std::string>  notes;    ///< from before it
+    std::vector<std::string>  warnings; ///< of its accuracy
+  };
+
+  /** Lets coarser companions tell the error of a run that has ended. */
+  void
+  estimate_accuracy(AccurateRun &run, ProgressLine &progress);
+
+  /**
+   * Replaces the run, which has not begun, by those at finer and finer settings
+   * until the wanted error is met or no finer ones are possible; each becomes a
+   * companion of the next.
+   * @param file of the scene
+   * @param folder of the results, which each round writes anew
+   * @param finish is called after each round, to write its summary
+   * @throws ComputationError if a run at the settings of the file fails
+   */
+  void
+  run_adaptively(AccurateRun                 &run,
+                 const std::string           &file,
+                 const OutputFolder          &folder,
+                 ProgressLine                &progress,
+                 const std::function<void()> &finish);
+} // namespace asperity
+
+#endif

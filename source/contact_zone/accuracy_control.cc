@@ -1,0 +1,189 @@
+#include <asperity/base/quantity.h>
+#include <asperity/contact_zone/accuracy_control.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace asperity
+{
+  namespace
+  {
+    /** Factors by which the time of a run grows with twice as many elements
+     *  along the edge, time steps, and twice the penalty: those of unknowns and
+     *  Newton iterations of R0 (parameter_files/reference_scenes/README.md). */
+    constexpr double cost_of_mesh = 3.5, cost_of_steps = 1.27,
+                     cost_of_penalty = 1.1;
+
+    /** Part of the wanted error that an estimate may use up, which is smaller
+     *  than this part of the error in one of six reference scenes; and that of
+     *  a choice made on coarser settings. */
+    constexpr double safety = 0.7, safety_of_choice = 0.6;
+
+    /** Most halvings at once, of elements and of the others. Estimates reach no
+     *  further. */
+    constexpr int most_of_mesh = 2, most = 4;
+
+    std::string
+    per_cent(const double share)
+    {
+      return format_quantity(100. * share, "1", 2) + " %";
+    }
+  } // namespace
+
+
+
+  std::vector<std::pair<std::string, std::string>>
+  entries_of(const SceneParameters &parameters, const Fineness &fineness)
+  {
+    const SceneParameters settings = with_fineness(parameters, fineness);
+    std::vector<std::pair<std::string, std::string>> entries = {
+      {"Mesh/Spans", std::to_string(settings.mesh.spans)},
+      {"Mesh/Refinement levels", std::to_string(settings.mesh.refinement)},
+      {"Protocol/Ramp steps", std::to_string(settings.protocol.ramp_steps)},
+      {"Protocol/Slide steps", std::to_string(settings.protocol.slide_steps)},
+      {"Protocol/Steady step",
+       format_quantity(settings.protocol.steady_step, "nm")},
+      {"Protocol/Maximum strain increment",
+       format_quantity(settings.protocol.strain_increment, "1")},
+      {"Contact/Penalty factor",
+       format_quantity(settings.contact.penalty_factor, "1")}};
+    if (settings.contact.penalty)
+      entries.emplace_back("Contact/Penalty",
+                           format_quantity(*settings.contact.penalty, "Pa/m"));
+    return entries;
+  }
+
+
+
+  Fineness
+  cheapest(const SceneParameters &parameters)
+  {
+    // One coarser mesh more is for the companions.
+    return {has_mesh(parameters, -3) ? -1 : 0, -1, -1};
+  }
+
+
+
+  bool
+  is_met(const ErrorEstimate &error, const double wanted)
+  {
+    return error.total() <= safety * wanted;
+  }
+
+
+
+  double
+  relative_cost(const Fineness &finer)
+  {
+    return std::pow(cost_of_mesh, finer.mesh) *
+           std::pow(cost_of_steps, finer.step) *
+           std::pow(cost_of_penalty, finer.penalty);
+  }
+
+
+
+  std::optional<Fineness>
+  next_fineness(const AccuracyRound                         &last,
+                const double                                 wanted,
+                const std::function<bool(const Fineness &)> &is_possible)
+  {
+    const double            target    = safety_of_choice * wanted;
+    double                  best_cost = 0.;
+    std::optional<Fineness> best;
+    const auto              try_more = [&](const Fineness &more) {
+      const Fineness candidate{last.fineness.mesh + more.mesh,
+                               last.fineness.step + more.step,
+                               last.fineness.penalty + more.penalty};
+      const double   cost = relative_cost(more);
+      if (last.error.after(more).total() <= target &&
+          (!best || cost < best_cost) && is_possible(candidate))
+        {
+          best      = candidate;
+          best_cost = cost;
+        }
+    };
+    for (int mesh = 0; mesh <= most_of_mesh; ++mesh)
+      for (int step = 0; step <= most; ++step)
+        for (int penalty = 0; penalty <= most; ++penalty)
+          if (mesh + step + penalty > 0)
+            try_more({mesh, step, penalty});
+    if (best)
+      return best;
+    // Further off than estimates reach: what dominates first.
+    Fineness          next   = last.fineness;
+    const std::string source = last.error.largest();
+    ++(source == "mesh" ? next.mesh :
+       source == "step" ? next.step :
+                          next.penalty);
+    if (is_possible(next))
+      return next;
+    return {};
+  }
+
+
+
+  std::string
+  describe(const AccuracyRound &round)
+  {
+    const SceneParameters    &settings = round.settings;
+    const ProtocolParameters &protocol = settings.protocol;
+    const std::string         sliding =
+      protocol.window == FrictionWindow::time ?
+                std::to_string(protocol.slide_steps) + " steps" :
+                "steps of " + format_quantity(protocol.steady_step, "nm", 3);
+    return std::to_string(settings.mesh.spans) + " spans, " +
+           std::to_string(protocol.ramp_steps) + " + " + sliding +
+           ", penalty factor " +
+           format_quantity(settings.contact.penalty_factor, "1", 3) +
+           ": mu = " + format_quantity(round.run.mu, "1", 4) + " +- " +
+           per_cent(round.error.total()) + " (mesh " +
+           per_cent(std::abs(round.error.mesh)) + ", steps " +
+           per_cent(std::abs(round.error.step)) + ", penalty " +
+           per_cent(std::abs(round.error.penalty)) + "), " +
+           std::to_string(round.run.unknowns) + " unknowns, " +
+           std::to_string(round.run.newton_iterations) + " Newton iterations";
+  }
+
+
+
+  nlohmann::ordered_json
+  to_json(const AccuracyReport &report)
+  {
+    const auto of = [](const ErrorEstimate &error) {
+      return nlohmann::ordered_json({{"error", error.total()},
+                                     {"mesh", std::abs(error.mesh)},
+                                     {"step", std::abs(error.step)},
+                                     {"penalty", std::abs(error.penalty)}});
+    };
+    nlohmann::ordered_json summary =
+      report.error ? of(*report.error) : nlohmann::ordered_json();
+    if (report.error)
+      summary["by_source"] = {{"mesh", report.error->mesh},
+                              {"step", report.error->step},
+                              {"penalty", report.error->penalty}};
+    summary["wanted"] = report.wanted;
+    summary["runs"]   = report.runs;
+    summary["cost"]   = report.cost;
+    if (report.rounds.empty())
+      return summary;
+    nlohmann::ordered_json rounds = nlohmann::ordered_json::array();
+    for (const AccuracyRound &round : report.rounds)
+      {
+        const SceneParameters &settings = round.settings;
+        nlohmann::ordered_json entry    = of(round.error);
+        entry["mu"]                     = round.run.mu;
+        entry["spans"]                  = settings.mesh.spans;
+        entry["refinement_levels"]      = settings.mesh.refinement;
+        entry["ramp_steps"]             = settings.protocol.ramp_steps;
+        entry["slide_steps"]            = settings.protocol.slide_steps;
+        entry["steady_step"]            = settings.protocol.steady_step;
+        entry["penalty_factor"]         = settings.contact.penalty_factor;
+        entry["unknowns"]               = round.run.unknowns;
+        entry["newton_iterations"]      = round.run.newton_iterations;
+        rounds.push_back(entry);
+      }
+    summary["rounds"] = rounds;
+    return summary;
+  }
+} // namespace asperity

@@ -1,0 +1,181 @@
+#include <asperity/base/errors.h>
+#include <asperity/contact_zone/accurate_run.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace asperity
+{
+  namespace
+  {
+    std::string
+    per_cent(const double share)
+    {
+      return format_quantity(100. * share, "1", 2) + " %";
+    }
+
+    /** That mu is off by more than is wanted, most of it by its largest source.
+     *  @param remedy what makes this smaller */
+    std::string
+    excess_of(const ErrorEstimate &error,
+              const double         wanted,
+              const std::string   &remedy)
+    {
+      return "mu may be off by " + per_cent(error.total()) +
+             " for numerical reasons, more than the " + per_cent(wanted) +
+             " that Accuracy/Error wants, most of it by the " + remedy + ".";
+    }
+
+    /** The largest part of an error, and what makes it smaller. */
+    std::string
+    remedy_of(const ErrorEstimate &error)
+    {
+      const std::string source = error.largest();
+      return source == "mesh" ?
+               "mesh, for which Mesh/Spans and Refinement levels help" :
+             source == "step" ?
+               "time steps, for which Protocol/Slide steps and Ramp steps help" :
+               "penalty, for which Contact/Penalty factor helps";
+    }
+
+    /** A family that tells which of its members it computes. */
+    RunFamily
+    family_of(const SceneParameters &parameters, ProgressLine &progress)
+    {
+      return RunFamily(parameters,
+                       [&progress, n = 0u](const Fineness &) mutable {
+                         progress.note("companion " + std::to_string(++n) +
+                                       ", for the error of mu");
+                       });
+    }
+
+    void
+    count(const RunFamily &family, AccuracyReport &report)
+    {
+      report.runs = family.size();
+      report.cost = family.cost();
+    }
+
+    /** Whether a mesh exists, and has no more unknowns than are allowed. */
+    bool
+    is_affordable(const SceneParameters &scene, const Fineness &fineness)
+    {
+      if (!has_mesh(scene, fineness.mesh))
+        return false;
+      try
+        {
+          return Scene(with_fineness(scene, fineness)).n_unknowns() <=
+                 scene.accuracy.maximum_unknowns;
+        }
+      catch (const InputError &)
+        {
+          return false; // larger than any scene may be
+        }
+    }
+
+    /** The run at other settings of the scene. */
+    std::unique_ptr<SceneRun>
+    at_settings(const std::string     &file,
+                const SceneParameters &scene,
+                const Fineness        &fineness)
+    {
+      EntryValues changes = entries_of(scene, fineness);
+      // The run can be repeated by its parameters.prm.
+      changes.emplace_back("Accuracy/Control", "estimate");
+      return std::make_unique<SceneRun>(file, changes);
+    }
+  } // namespace
+
+
+
+  void
+  estimate_accuracy(AccurateRun &run, ProgressLine &progress)
+  {
+    const SceneParameters &parameters = run.scene->parameters();
+    RunFamily              family     = family_of(parameters, progress);
+    family.add({}, run.scene->member());
+    try
+      {
+        const ErrorEstimate error = estimate_error(family, {});
+        run.accuracy.error        = error;
+        if (error.total() > parameters.accuracy.error)
+          run.warnings.push_back(
+            excess_of(error, parameters.accuracy.error, remedy_of(error)));
+      }
+    catch (const std::runtime_error &failure)
+      {
+        run.warnings.push_back(
+          "The numerical error of mu is not known, since a coarser companion "
+          "of the run failed: " +
+          std::string(failure.what()));
+      }
+    count(family, run.accuracy);
+  }
+
+
+
+  void
+  run_adaptively(AccurateRun                 &run,
+                 const std::string           &file,
+                 const OutputFolder          &folder,
+                 ProgressLine                &progress,
+                 const std::function<void()> &finish)
+  {
+    const SceneParameters scene  = run.scene->parameters();
+    const double          wanted = scene.accuracy.error;
+    RunFamily             family = family_of(scene, progress);
+    Fineness              at     = cheapest(scene);
+    for (;;)
+      {
+        AccuracyRound round;
+        try
+          {
+            run.scene = at_settings(file, scene, at);
+            run.scene->compute(folder, progress);
+            run.accuracy.error.reset();
+            finish();
+            family.add(at, run.scene->member());
+            round = {at,
+                     run.scene->parameters(),
+                     run.scene->member(),
+                     estimate_error(family, at)};
+          }
+        catch (const ComputationError &error)
+          {
+            // Settings may be too coarse for the steps of a hard scene.
+            if (!(at.mesh < 0 || at.step < 0))
+              throw;
+            progress.note("no solution at coarser settings than those of " +
+                          file + ": " + error.what());
+            at = {0, 0, 0};
+            continue;
+          }
+        run.accuracy.error = round.error;
+        run.accuracy.rounds.push_back(round);
+        count(family, run.accuracy);
+        progress.note("round " + std::to_string(run.accuracy.rounds.size()) +
+                      ": " + describe(round));
+        if (is_met(round.error, wanted))
+          return;
+        const auto next =
+          next_fineness(round, wanted, [&](const Fineness &finer) {
+            return is_affordable(scene, finer);
+          });
+        if (!next && round.error.total() <= wanted)
+          return;
+        if (!next)
+          {
+            run.warnings.push_back(excess_of(
+              round.error,
+              wanted,
+              round.error.largest() +
+                ", and settings that are finer where it matters need more than "
+                "the " +
+                std::to_string(scene.accuracy.maximum_unknowns) +
+                " unknowns of Accuracy/Maximum unknowns"));
+            return;
+          }
+        at = *next;
+      }
+  }
+} // namespace asperity

@@ -1,0 +1,208 @@
+#include <asperity/base/atomic_file.h>
+#include <asperity/base/errors.h>
+#include <asperity/base/text.h>
+#include <asperity/base/version.h>
+#include <asperity/contact_zone/scene_checkpoint.h>
+#include <asperity/contact_zone/scene_computation.h>
+#include <asperity/contact_zone/scene_run.h>
+
+#include <algorithm>
+
+namespace asperity
+{
+  namespace
+  {
+    /** Keeps the last good state if there is room for it, and says where. */
+    std::string
+    kept_state(const SceneOutput &output,
+               const SlidingRun  &run,
+               const std::string &directory)
+    {
+      try
+        {
+          output.write_checkpoint(run);
+          return " The last good state is in " +
+                 quoted_name(directory + "/checkpoint") + ".";
+        }
+      catch (const ComputationError &)
+        {
+          return ""; // the disk that has no room for results has none for it
+        }
+    }
+
+    void
+    write_parameters(const SceneInput &input)
+    {
+      write_atomically(input.parameters.output.directory + "/parameters.prm",
+                       [&](std::ostream &out) {
+                         input.declarator.write_prm(out);
+                       });
+    }
+
+    void
+    show_step(const SlidingRun &run, ProgressLine &progress)
+    {
+      const FrictionRow &row = run.state().rows.back();
+      progress.update(row.time / run.protocol().end_time(),
+                      "step " + std::to_string(row.step) +
+                        "  t = " + format_quantity(row.time, "us", 3) +
+                        "  mu = " + format_quantity(row.mu, "1", 3));
+    }
+  } // namespace
+
+
+
+  std::vector<std::string>
+  notes_on_input(const SceneInput &input)
+  {
+    const auto &entries = input.declarator.entries();
+    if (std::any_of(entries.begin(),
+                    entries.end(),
+                    [](const ParameterEntry &entry) {
+                      return entry.given && entry.subsection != "Output";
+                    }))
+      return {};
+    return {input.file +
+            " sets no entry of the scene, so that this is the default "
+            "scene; 'asperity parameters' lists its entries."};
+  }
+
+
+
+  SceneRun::SceneRun(const std::string &file, const EntryValues &changes)
+    : input(file, changes)
+    , audited_(input)
+    , run_(input.parameters, *audited_.scene)
+    , notes_(notes_on_input(input))
+  {
+    if (input.parameters.output.restart)
+      restart();
+  }
+
+
+
+  void
+  SceneRun::restart()
+  {
+    try
+      {
+        const auto found =
+          find_checkpoint(CheckpointFolder(input.parameters.output.directory +
+                                           "/checkpoint"),
+                          input.record,
+                          version_line());
+        load(found.checkpoint.state, run_, *audited_.scene);
+        notes_.insert(notes_.end(),
+                      found.warnings.begin(),
+                      found.warnings.end());
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(input.declarator.where("Output/Restart") + ": " +
+                         error.what());
+      }
+  }
+
+
+
+  std::unique_ptr<OutputFolder>
+  SceneRun::lock_folder() const
+  {
+    return std::make_unique<OutputFolder>(parameters().output.directory,
+                                          input.declarator.where(
+                                            "Output/Output directory"),
+                                          FolderUse::run);
+  }
+
+
+
+  void
+  SceneRun::compute(const OutputFolder &folder, ProgressLine &progress)
+  {
+    folder.clear(parameters().output.restart);
+    write_parameters(input);
+    output = std::make_unique<SceneOutput>(parameters(),
+                                           input.record,
+                                           *audited_.scene,
+                                           run_.state());
+    try
+      {
+        run_.run([&](const SlidingRun &now) {
+          output->step(now);
+          show_step(now, progress);
+        });
+      }
+    catch (const ComputationError &error)
+      {
+        throw ComputationError(
+          error.what() +
+          kept_state(*output, run_, parameters().output.directory));
+      }
+  }
+
+
+
+  void
+  SceneRun::finish(const AccuracyReport           &accuracy,
+                   const std::vector<std::string> &warnings,
+                   const double                    seconds)
+  {
+    std::vector<std::string> all = notes_;
+    for (const auto &list : {this->warnings(), warnings})
+      all.insert(all.end(), list.begin(), list.end());
+    output->finish(run_, audited_.audit, accuracy, all, seconds);
+  }
+
+
+
+  const SceneParameters &
+  SceneRun::parameters() const
+  {
+    return input.parameters;
+  }
+
+
+
+  const AuditedScene &
+  SceneRun::audited() const
+  {
+    return audited_;
+  }
+
+
+
+  const SlidingRun &
+  SceneRun::run() const
+  {
+    return run_;
+  }
+
+
+
+  const std::vector<std::string> &
+  SceneRun::notes() const
+  {
+    return notes_;
+  }
+
+
+
+  std::vector<std::string>
+  SceneRun::warnings() const
+  {
+    return warnings_of_run(audited_.audit.warnings, run_, parameters());
+  }
+
+
+
+  FamilyMember
+  SceneRun::member() const
+  {
+    const Scene &scene = *audited_.scene;
+    return {run_.friction().mu,
+            scene.n_unknowns(),
+            run_.newton_statistics().iterations,
+            run_.state().rows.back().sliding_distance /
+              scene.contact_element_length()};
+  }
+} // namespace asperity

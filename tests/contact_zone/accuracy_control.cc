@@ -1,0 +1,102 @@
+#include <asperity/contact_zone/accuracy_control.h>
+
+#include <gtest/gtest.h>
+
+#include "scene_examples.h"
+
+using namespace asperity;
+
+namespace
+{
+  const auto anything = [](const Fineness &) { return true; };
+
+  AccuracyRound
+  round_with(const ErrorEstimate &error)
+  {
+    return {{-1, -1, -1}, coarse_scene(), {0.1, 700, 300, 10.}, error};
+  }
+} // namespace
+
+TEST(AccuracyControl, refines_what_dominates_only)
+{
+  // With 0.6 of the wanted error as the aim: 4 by a halving of the elements,
+  // 2 by one of steps or penalty.
+  EXPECT_EQ(*next_fineness(round_with({0.0239, 0., 0.}), 0.01, anything),
+            (Fineness{0, -1, -1}));
+  EXPECT_EQ(*next_fineness(round_with({0., -0.0239, 0.}), 0.01, anything),
+            (Fineness{-1, 1, -1}));
+  EXPECT_EQ(*next_fineness(round_with({0., 0., 0.0241}), 0.01, anything),
+            (Fineness{-1, -1, 2}));
+}
+
+TEST(AccuracyControl, takes_the_cheapest_of_settings_that_do)
+{
+  const AccuracyRound           last = round_with({0.012, 0.012, -0.004});
+  const std::optional<Fineness> best = next_fineness(last, 0.005, anything);
+  ASSERT_TRUE(best);
+  const Fineness more{best->mesh + 1, best->step + 1, best->penalty + 1};
+  EXPECT_LE(last.error.after(more).total(), 0.6 * 0.005);
+  // Every single halving less is too little.
+  for (const Fineness &less :
+       {Fineness{more.mesh - 1, more.step, more.penalty},
+        Fineness{more.mesh, more.step - 1, more.penalty},
+        Fineness{more.mesh, more.step, more.penalty - 1}})
+    if (less.mesh >= 0 && less.step >= 0 && less.penalty >= 0)
+      EXPECT_GT(last.error.after(less).total(), 0.6 * 0.005);
+}
+
+TEST(AccuracyControl, halves_what_dominates_where_estimates_do_not_reach)
+{
+  EXPECT_EQ(*next_fineness(round_with({0.5, 0.01, 0.01}), 1e-4, anything),
+            (Fineness{0, -1, -1}));
+  EXPECT_EQ(*next_fineness(round_with({0.01, 0.01, 0.5}), 1e-4, anything),
+            (Fineness{-1, -1, 0}));
+}
+
+TEST(AccuracyControl, gives_up_where_the_mesh_may_not_be_refined)
+{
+  const auto coarse_only = [](const Fineness &f) { return f.mesh <= -1; };
+  EXPECT_FALSE(next_fineness(round_with({0.5, 0., 0.}), 1e-4, coarse_only));
+  EXPECT_TRUE(next_fineness(round_with({0., 0.5, 0.}), 1e-4, coarse_only));
+}
+
+TEST(AccuracyControl, leaves_room_below_the_wanted_error)
+{
+  EXPECT_TRUE(is_met({0.0069, 0., 0.}, 0.01));
+  EXPECT_FALSE(is_met({0.0071, 0., 0.}, 0.01));
+}
+
+TEST(AccuracyControl, begins_with_half_of_the_entries)
+{
+  SceneParameters parameters; // 160 spans: 80, 40, 20 are there
+  EXPECT_EQ(cheapest(parameters), (Fineness{-1, -1, -1}));
+  EXPECT_EQ(cheapest(coarse_scene()), (Fineness{0, -1, -1}));
+}
+
+TEST(AccuracyControl, writes_entries_that_make_the_run)
+{
+  SceneParameters parameters;
+  parameters.contact.penalty = 2e18;
+  const Fineness fineness{1, -1, 2};
+  std::string    text;
+  for (const auto &[path, value] : entries_of(parameters, fineness))
+    {
+      const std::size_t slash = path.find('/');
+      text += "subsection " + path.substr(0, slash) + "\n set " +
+              path.substr(slash + 1) + " = " + value + "\nend\n";
+    }
+  dealii::ParameterHandler handler;
+  ParameterDeclarator      declarator(handler);
+  SceneParameters          read;
+  read.declare(declarator);
+  declarator.read_text(text, "entries");
+  const SceneParameters expected = with_fineness(parameters, fineness);
+  EXPECT_EQ(read.mesh.spans, expected.mesh.spans);
+  EXPECT_EQ(read.mesh.refinement, expected.mesh.refinement);
+  EXPECT_EQ(read.protocol.ramp_steps, expected.protocol.ramp_steps);
+  EXPECT_EQ(read.protocol.slide_steps, expected.protocol.slide_steps);
+  EXPECT_DOUBLE_EQ(read.protocol.steady_step, expected.protocol.steady_step);
+  EXPECT_DOUBLE_EQ(read.contact.penalty_factor,
+                   expected.contact.penalty_factor);
+  EXPECT_DOUBLE_EQ(*read.contact.penalty, 8e18);
+}

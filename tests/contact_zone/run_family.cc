@@ -1,0 +1,70 @@
+#include <asperity/contact_zone/run_family.h>
+
+#include <gtest/gtest.h>
+
+#include "scene_examples.h"
+
+using namespace asperity;
+
+TEST(RunFamily, members_differ_in_one_thing_each)
+{
+  SceneParameters parameters           = coarse_scene();
+  parameters.protocol.slide_steps      = 15;
+  parameters.protocol.strain_increment = 0.1;
+  const Scene scene(parameters), coarse(with_fineness(parameters, {-1, 0, 0})),
+    fine(with_fineness(parameters, {1, 0, 0})),
+    soft(with_fineness(parameters, {0, 0, -1}));
+  EXPECT_NEAR(coarse.contact_element_length(),
+              2. * scene.contact_element_length(),
+              1e-12 * scene.length);
+  EXPECT_NEAR(fine.contact_element_length(),
+              0.5 * scene.contact_element_length(),
+              1e-12 * scene.length);
+  EXPECT_NEAR(coarse.penalty(), scene.penalty(), 1e-12 * scene.penalty());
+  EXPECT_NEAR(fine.penalty(), scene.penalty(), 1e-12 * scene.penalty());
+  EXPECT_NEAR(soft.penalty(), 0.5 * scene.penalty(), 1e-12 * scene.penalty());
+  EXPECT_EQ(soft.space->n_cells(), scene.space->n_cells());
+  const ProtocolParameters longer =
+    with_fineness(parameters, {0, -1, 0}).protocol;
+  EXPECT_EQ(longer.slide_steps, 8u);
+  EXPECT_EQ(longer.end_time, parameters.protocol.end_time);
+  EXPECT_EQ(longer.steady_step, 2. * parameters.protocol.steady_step);
+  EXPECT_EQ(longer.strain_increment, 0.2);
+  EXPECT_EQ(with_fineness(parameters, {0, 2, 0}).protocol.ramp_steps, 20u);
+  // A penalty that is given stays on any mesh.
+  parameters.contact.penalty = 1e16;
+  EXPECT_EQ(Scene(with_fineness(parameters, {-1, 0, 0})).penalty(), 1e16);
+  EXPECT_EQ(Scene(with_fineness(parameters, {0, 0, -1})).penalty(), 5e15);
+}
+
+TEST(RunFamily, knows_which_meshes_there_are)
+{
+  // 40 spans, one level: 20, 10, but 5 is odd.
+  const SceneParameters parameters = coarse_scene();
+  EXPECT_TRUE(has_mesh(parameters, -2));
+  EXPECT_FALSE(has_mesh(parameters, -3));
+  // Five levels more make six, of which 40 2^5 spans need no more.
+  EXPECT_TRUE(has_mesh(parameters, 5));
+  EXPECT_FALSE(has_mesh(parameters, 6));
+}
+
+TEST(RunFamily, computes_each_run_once)
+{
+  SceneParameters parameters      = coarse_scene();
+  parameters.protocol.ramp_steps  = 2;
+  parameters.protocol.slide_steps = 2;
+  unsigned int told               = 0;
+  RunFamily    family(parameters, [&](const Fineness &) { ++told; });
+  family.add({1, 0, 0}, {0.5, 10, 20, 1.});
+  EXPECT_EQ(family.run({1, 0, 0}).mu, 0.5);
+  EXPECT_EQ(told, 0u);
+  const double mu = family.run({}).mu;
+  EXPECT_EQ(family.run({}).mu, mu);
+  EXPECT_EQ(told, 1u);
+  EXPECT_EQ(mu, CompleteRun(parameters).run.friction().mu);
+  // The costs are unknowns times Newton iterations.
+  EXPECT_EQ(family.cost(),
+            200. +
+              1. * family.run({}).unknowns * family.run({}).newton_iterations);
+  EXPECT_EQ(family.run({}).unknowns, Scene(parameters).n_unknowns());
+}
