@@ -1,6 +1,7 @@
 #include <asperity/base/environment.h>
 #include <asperity/base/mpi_session.h>
 #include <asperity/base/version.h>
+#include <asperity/contact_zone/accuracy_forecast.h>
 #include <asperity/contact_zone/accurate_run.h>
 #include <asperity/contact_zone/commands.h>
 #include <asperity/contact_zone/scene_report.h>
@@ -103,6 +104,8 @@ namespace asperity
                 input.parameters.heat_model(),
                 true);
     print_unused(audited.audit.unused);
+    for (const std::string &sentence : advise(input.parameters, *audited.scene))
+      std::cout << sentence << "\n";
     print_warnings(notes_on_input(input));
     print_warnings(audited.audit.warnings);
     std::cout << file << " is valid.\n";

@@ -231,6 +231,9 @@ TEST_F(Commands, a_run_chooses_its_settings_where_that_is_wanted)
             std::string::npos)
     << result.output;
 
+  EXPECT_NE(run("check scene.prm").output.find("For 0.1 %: Mesh/Spans = "),
+            std::string::npos);
+
   write("scene.prm",
         scene("") + "subsection Output\n set Restart = true\nend\n");
   result = run("scene.prm");

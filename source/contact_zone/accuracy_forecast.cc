@@ -1,0 +1,230 @@
+#include <asperity/base/quantity.h>
+#include <asperity/contact_zone/accuracy_control.h>
+#include <asperity/contact_zone/accuracy_forecast.h>
+#include <asperity/contact_zone/load_protocol.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace asperity
+{
+  namespace
+  {
+    /** R0 at 300 MPa, 200 m/min and 25 degC with the default settings: its
+     *  numbers, and what they were found to give. */
+    const ForecastNumbers reference     = {14.5, 0.92, 0.14, 120., 8., 1920.};
+    constexpr double      error_of_mesh = 0.24e-2, error_of_steps = 0.11e-2,
+                     error_of_penalty = 0.09e-2, iterations_a_step = 3.18;
+
+    /** Factor by which the unknowns grow with twice as many spans. */
+    constexpr double growth_of_unknowns = 3.2;
+
+    /** Strain and rate [1/s] at which the chip yields below asperities. */
+    constexpr double strain = 1., rate = 1e6;
+
+    /** Pressure on what touches over the shear strength there, as measured on
+     *  R0 and R1, and the largest share that is found to touch. */
+    constexpr double hardness = 2.25, most_contact = 0.8;
+
+    /** Time of a run over that of a dry one, as measured on the lubricated
+     *  scenes. */
+    double
+    cost_of(const LubricantModel lubricant)
+    {
+      switch (lubricant)
+        {
+          case LubricantModel::pocket:
+            return 1.2;
+          case LubricantModel::reynolds:
+            return 1.8;
+          case LubricantModel::stokes:
+          case LubricantModel::navier_stokes:
+            return 6.;
+          default:
+            return 1.;
+        }
+    }
+
+    unsigned int
+    n_steps(const SceneParameters &parameters)
+    {
+      const LoadProtocol protocol(parameters.load, parameters.protocol);
+      unsigned int       n   = 0;
+      const double       end = protocol.end_time() * (1. - 1e-9);
+      for (double time = 0.; time < end; time = protocol.next_time(time))
+        ++n;
+      return n;
+    }
+
+    std::string
+    per_cent(const double share)
+    {
+      return format_quantity(100. * share, "1", 2) + " %";
+    }
+
+    /** What the audit would choose, were all models `automatic`, and heat by
+     *  how far it gets. */
+    std::string
+    models_for(const SceneParameters &parameters, const Scene &scene)
+    {
+      SceneParameters open  = parameters;
+      open.protocol.inertia = Inertia::automatic;
+      if (open.lubrication.model != LubricantModel::none)
+        open.lubrication.model = LubricantModel::automatic;
+      const SceneAudit audit = audit_scene(open, scene);
+      HeatModel        heat  = parameters.heat_model();
+      for (const AuditEntry &entry : audit.entries)
+        if (entry.name == "heat length over peak-to-valley height" &&
+            heat != HeatModel::isothermal)
+          heat =
+            entry.value < 1. ? HeatModel::adiabatic : HeatModel::conducting;
+      return "Recommended models: " +
+             (audit.lubricant == LubricantModel::none ?
+                "dry" :
+                "oil by " + name(audit.lubricant)) +
+             ", " +
+             (audit.inertia == Inertia::dynamic ? "dynamic" : "quasi-static") +
+             ", " + name(heat) + ".";
+    }
+
+    std::string
+    describe(const AccuracyForecast &forecast)
+    {
+      return "numerical error of mu about " + per_cent(forecast.total()) +
+             ", time about " + format_quantity(forecast.time, "1", 2) +
+             " times that of the default scene";
+    }
+  } // namespace
+
+
+
+  double
+  AccuracyForecast::total() const
+  {
+    return std::hypot(error.mesh, error.step, error.penalty);
+  }
+
+
+
+  ForecastNumbers
+  forecast_numbers(const SceneParameters &parameters, const Scene &scene)
+  {
+    const Surface &tool   = scene.tool_surface;
+    const Surface &chip   = scene.chip_surface;
+    const auto     height = [](const Surface &surface) {
+      return surface.maximum() - surface.minimum();
+    };
+    const Surface &rougher = height(tool) >= height(chip) ? tool : chip;
+    const double   length  = height(rougher) / rougher.largest_slope();
+    const double   k =
+      scene.law->shear_limit(std::max(strain, parameters.load.plastic_strain),
+                             rate,
+                             parameters.load.temperature);
+    ForecastNumbers numbers;
+    numbers.elements = length / scene.contact_element_length();
+    numbers.way =
+      parameters.load.velocity *
+      LoadProtocol(parameters.load, parameters.protocol).end_time() / length;
+    numbers.contact =
+      std::min(most_contact, parameters.load.pressure / (hardness * k));
+    numbers.steps          = n_steps(parameters);
+    numbers.penalty_factor = scene.penalty() * scene.contact_element_length() /
+                             scene.law->young_modulus();
+    numbers.unknowns = scene.n_unknowns();
+    return numbers;
+  }
+
+
+
+  AccuracyForecast
+  forecast(const ForecastNumbers &numbers, const LubricantModel lubricant)
+  {
+    const auto power = [&](double ForecastNumbers::*number,
+                           const double             exponent) {
+      return std::pow(numbers.*number / reference.*number, exponent);
+    };
+    AccuracyForecast result;
+    result.error.mesh = error_of_mesh * power(&ForecastNumbers::elements, -2.) *
+                        power(&ForecastNumbers::contact, -0.96) *
+                        power(&ForecastNumbers::way, -0.46);
+    result.error.step = error_of_steps * power(&ForecastNumbers::steps, -1.) *
+                        power(&ForecastNumbers::contact, 0.2) *
+                        power(&ForecastNumbers::way, -0.35);
+    result.error.penalty = error_of_penalty *
+                           power(&ForecastNumbers::penalty_factor, -1.) *
+                           power(&ForecastNumbers::elements, -1.) *
+                           power(&ForecastNumbers::contact, -0.29) *
+                           power(&ForecastNumbers::way, -0.4);
+    const double way_of_a_step =
+      numbers.way / numbers.steps / (reference.way / reference.steps);
+    const double iterations =
+      std::max(1.2,
+               iterations_a_step * std::pow(way_of_a_step, 0.2) *
+                 power(&ForecastNumbers::elements, 0.28) *
+                 power(&ForecastNumbers::contact, 0.1) *
+                 power(&ForecastNumbers::penalty_factor, 0.15));
+    result.time = cost_of(lubricant) * iterations / iterations_a_step *
+                  power(&ForecastNumbers::steps, 1.) *
+                  power(&ForecastNumbers::unknowns, 1.);
+    return result;
+  }
+
+
+
+  std::vector<std::string>
+  advise(const SceneParameters &parameters, const Scene &scene)
+  {
+    const ForecastNumbers numbers = forecast_numbers(parameters, scene);
+    const LubricantModel  oil     = parameters.lubrication.model;
+    if (!std::isfinite(numbers.elements) || numbers.elements == 0. ||
+        numbers.contact == 0.)
+      return {};
+    std::vector<std::string> sentences = {
+      models_for(parameters, scene),
+      "Forecast (time good for a factor of 2; the error is that of smooth "
+      "tools, others have up to nine times as much, which Accuracy/Control = "
+      "estimate tells): " +
+        describe(forecast(numbers, oil)) + "."};
+    const double wanted = parameters.accuracy.error;
+    if (wanted == 0.)
+      return sentences;
+    std::optional<Fineness> best;
+    AccuracyForecast        of_best;
+    for (int mesh = -3; mesh <= 4; ++mesh)
+      for (int step = -3; step <= 5; ++step)
+        for (int penalty = -4; penalty <= 5; ++penalty)
+          {
+            if (!has_mesh(parameters, mesh))
+              continue;
+            ForecastNumbers finer = numbers;
+            finer.elements        = std::ldexp(numbers.elements, mesh);
+            finer.unknowns *= std::pow(growth_of_unknowns, mesh);
+            finer.steps = std::ldexp(numbers.steps, step);
+            finer.penalty_factor =
+              std::ldexp(numbers.penalty_factor, penalty - mesh);
+            const AccuracyForecast candidate = forecast(finer, oil);
+            if (candidate.total() <= wanted &&
+                (!best || candidate.time < of_best.time))
+              {
+                best    = Fineness{mesh, step, penalty};
+                of_best = candidate;
+              }
+          }
+    if (!best)
+      {
+        sentences.push_back("No settings within a few halvings of these keep "
+                            "an error of " +
+                            per_cent(wanted) + ".");
+        return sentences;
+      }
+    std::string entries;
+    for (const auto &[path, value] : entries_of(parameters, *best))
+      if (path.find("strain") == std::string::npos &&
+          path.find("Steady") == std::string::npos)
+        entries += path + " = " + value + ", ";
+    sentences.push_back("For " + per_cent(wanted) + ": " + entries +
+                        "Mesh/Degree = 2: " + describe(of_best) + ".");
+    return sentences;
+  }
+} // namespace asperity
