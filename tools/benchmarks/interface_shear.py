@@ -7,6 +7,9 @@ Usage: tools/benchmarks/interface_shear.py [--asperity PROGRAM] [--to FOLDER]
   wave   a rigid wedge that slides on a perfectly plastic body and pushes a wave
          ahead of it, against the formula of Challen and Oxley (1979), for
          slopes of 5 and 10 degrees and shear factors of 0, 0.3, 0.6, 0.8
+  standing  the same, but the wave is there from the start, so that mu is that of
+         the theory's slip lines at once; over tip radius and mesh, and
+         extrapolated
   junction  a cylinder pushed aside on a perfectly plastic chip: the pressure of what
          touches beside its shear, against the slip lines of Green (1954)
   cases  mu, its shares, contact and cost of the sixteen reference scenes for
@@ -18,6 +21,7 @@ Run it on a quiet machine; compare times within one run only.
 """
 
 import argparse
+import cmath
 import csv
 import math
 import os
@@ -27,7 +31,7 @@ from dry_scene import ROOT, load_case, print_head, run
 
 CASES = [(p, v, T) for p in (300, 1300) for v in (22.5, 200) for T in (25, 675)]
 PERIOD = 10.  # um
-WAVES = range(1, 60, 2)
+WAVES = 60  # that a wedge is made of, the odd ones
 YIELD_STRESS = 210.  # MPa
 
 
@@ -49,19 +53,20 @@ def challen_oxley(slope, f):
     return tangential / normal, normal / math.cos(slope)
 
 
-def wedge(degrees, f, contact_length=2.5):
+def wedge(degrees, f, contact_length=2.5, waves=WAVES):
     """A triangular wave whose load takes a contact of a length [um], on a body
     that is nearly rigid before it yields."""
     height = math.tan(math.radians(degrees)) * PERIOD / 2.
     _, hardness = challen_oxley(math.radians(degrees), f)
     pressure = (hardness * YIELD_STRESS / math.sqrt(3.) * contact_length /
                 PERIOD)
+    numbers = range(1, waves, 2)
     amplitudes = ", ".join(f"{4. * height / (math.pi * k)**2:.8g} um"
-                           for k in WAVES)
+                           for k in numbers)
     return {"Tool/Kind": "harmonics",
-            "Tool/Wave numbers": ", ".join(str(k) for k in WAVES),
+            "Tool/Wave numbers": ", ".join(str(k) for k in numbers),
             "Tool/Amplitudes": amplitudes,
-            "Tool/Phases": ", ".join("0 rad" for _ in WAVES),
+            "Tool/Phases": ", ".join("0 rad" for _ in numbers),
             "Geometry/Period": f"{PERIOD} um",
             "Geometry/Initial gap": "0 um",
             "Mesh/Strip depth": f"{0.3 * contact_length} um",
@@ -102,6 +107,70 @@ def wave(arguments):
                   f"{summary['end']['sliding_distance'] * 1e6:.2f} | "
                   f"{cost['steps']} | {cost['newton_iterations']} | "
                   f"{cost['wall_time']:.0f} |", flush=True)
+
+
+def harmonics(corners, n):
+    """Wave numbers, amplitudes and phases of the first n waves of a periodic
+    polygon of corners (x, height)."""
+    ends = corners[1:] + [(corners[0][0] + PERIOD, corners[0][1])]
+    slopes = [(end[1] - start[1]) / (end[0] - start[0])
+              for start, end in zip(corners, ends)]
+    waves = []
+    for k in range(1, n + 1):
+        w = 2. * math.pi * k / PERIOD
+        c = sum((before - after) * cmath.exp(-1j * w * x)
+                for (x, _), before, after in zip(corners,
+                                                 slopes[-1:] + slopes[:-1],
+                                                 slopes)) / (PERIOD * w * w)
+        waves.append((k, 2. * abs(c), cmath.phase(c)))
+    return waves
+
+
+def standing_wave(degrees, f, waves, spans, contact_length=2.5):
+    """The wedge whose tip is at the level of the chip, and the wave of the
+    theory ahead of it as the shape that the chip has at the start."""
+    slope = math.radians(degrees)
+    length = contact_length / math.cos(slope)
+    front = math.asin(math.sin(slope) / math.sqrt(1. - f))
+    tip = PERIOD / 2.
+    crest = tip - contact_length
+    foot = crest - length * math.sqrt(1. - f) * math.cos(front)
+    chip = harmonics([(foot, 0.), (crest, length * math.sin(slope)),
+                      (tip, 0.)], 2 * waves // 3)
+    entries = {key: value for key, value
+               in wedge(degrees, f, contact_length, waves).items()
+               if not key.startswith("Protocol/")}
+    return {**entries,
+            "Chip surface/Kind": "harmonics",
+            "Chip surface/Wave numbers": ", ".join(str(k) for k, _, _ in chip),
+            "Chip surface/Amplitudes":
+                ", ".join(f"{a:.8g} um" for _, a, _ in chip),
+            "Chip surface/Phases":
+                ", ".join(f"{phi:.8g} rad" for _, _, phi in chip),
+            "Mesh/Spans": spans,
+            "Mesh/Refinement levels": int(math.log2(spans // 20)),
+            "Mesh/Strip depth": f"{0.6 * contact_length} um",
+            "Protocol/Inertia": "quasi-static",
+            "Protocol/Sliding distance": f"{0.1 * contact_length} um",
+            "Protocol/Ramp fraction": 0.04,
+            "Protocol/Ramp steps": 30,
+            "Protocol/Slide steps": 40,
+            "Protocol/Window fraction": 0.8}
+
+
+def standing(arguments):
+    print_head("slope [deg] | f | mu after Challen and Oxley | 40 waves, 160 "
+               "spans | off [%] | 80 waves, 320 spans | off [%] | extrapolated "
+               "| off [%]")
+    for degrees, f in ((5, 0.6), (10, 0.6), (5, 0.8), (10, 0.8)):
+        exact, _ = challen_oxley(math.radians(degrees), f)
+        mu = [run(arguments, f"standing_{degrees}_{f}_{spans}",
+                  standing_wave(degrees, f, waves, spans))["friction"]["mu"]
+              for waves, spans in ((60, 160), (120, 320))]
+        mu.append(2. * mu[1] - mu[0])
+        print(f"| {degrees} | {f} | {exact:.4f} |" +
+              "".join(f" {value:.4f} | {100. * (value / exact - 1.):+.1f} |"
+                      for value in mu), flush=True)
 
 
 def junction(arguments):
@@ -234,7 +303,7 @@ def main():
                         default=os.path.join(ROOT, "build", "asperity"))
     parser.add_argument("--to",
                         default=os.path.join(ROOT, "output", "benchmarks"))
-    tasks = {"wave": wave, "junction": junction, "cases": cases, "mesh": mesh}
+    tasks = {"wave": wave, "standing": standing, "junction": junction, "cases": cases, "mesh": mesh}
     parser.add_argument("task", choices=tasks)
     arguments = parser.parse_args()
     arguments.to = os.path.abspath(arguments.to)
