@@ -7,11 +7,17 @@ import os
 import re
 import select
 import shutil
+import signal
 import subprocess
 import tempfile
 import threading
+import time
 
 from .mode import Measurement, exceeds
+
+# The limit of a cell is processor time, so that a busy machine makes no hang;
+# one that waits for ever ends after this many times the limit.
+BUSY = 20
 
 SWEEPS = "tools/benchmarks/stability_sweeps"
 
@@ -56,7 +62,7 @@ def parameter_file(entries, include=None):
 class Means:
     def __init__(self, root, asperity, sweeps, limit):
         self.root, self.asperity, self.sweeps = root, asperity, sweeps
-        self.limit = limit  # seconds of one cell
+        self.limit = limit  # processor time of one cell [s]
         self.local = threading.local()
         self.processes = []
         self.audits = {}
@@ -90,11 +96,14 @@ class Means:
                 file.write(parameter_file(entries, include))
             try:
                 done = subprocess.run(
-                    [self.asperity, command, "scene.prm"], cwd=folder,
+                    ["prlimit", f"--cpu={self.limit:.0f}:{self.limit + 9:.0f}",
+                     self.asperity, command, "scene.prm"], cwd=folder,
                     capture_output=True, text=True, check=False,
-                    timeout=self.limit, env=self.environment())
+                    timeout=BUSY * self.limit, env=self.environment())
             except subprocess.TimeoutExpired:
-                return Measurement("hung", sentence=f"{self.limit:g} s")
+                return self.hung()
+            if done.returncode == -signal.SIGXCPU:
+                return self.hung()
             scene = Scene(done.returncode, done.stdout, done.stderr, results)
             if scene.is_sentence():
                 return Measurement("reported",
@@ -131,10 +140,13 @@ class Means:
         line = " ".join([name] + [f"{k}={v}" for k, v in cell.items()])
         process.stdin.write(line.encode() + b"\n")
         process.stdin.flush()
-        if not select.select([process.stdout], [], [], self.limit)[0]:
-            process.kill()
-            process.wait()
-            return Measurement("hung", sentence=f"{self.limit:g} s")
+        before, start = processor_time(process.pid), time.monotonic()
+        while not select.select([process.stdout], [], [], 1.)[0]:
+            if (processor_time(process.pid) - before > self.limit
+                    or time.monotonic() - start > BUSY * self.limit):
+                process.kill()
+                process.wait()
+                return self.hung()
         reply = process.stdout.readline()
         if not reply:
             return Measurement(
@@ -154,10 +166,20 @@ class Means:
                 return Measurement("warned", values, told)
         return Measurement("values", values)
 
+    def hung(self):
+        return Measurement("hung", sentence=f"{self.limit:g} s")
+
     def close(self):
         for process in self.processes:
             process.stdin.close()
             process.wait()
+
+
+def processor_time(pid):
+    """Of a process, in seconds."""
+    with open(f"/proc/{pid}/stat", encoding="utf-8") as file:
+        fields = file.read().rsplit(")", 1)[1].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 def sentence(text):

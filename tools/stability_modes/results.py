@@ -51,7 +51,8 @@ class Results:
         if not is_own or not body or list(body[0]) != self.columns:
             self.outdated = True
             return
-        self.head = head
+        self.head = [line for line in head
+                     if line.startswith(("program", "machine", "tools", "date"))]
         self.rows = {self.key(row): row for row in body}
 
     def add(self, settings, measurement):
@@ -71,18 +72,17 @@ class Results:
     def write(self):
         if not self.head:
             self.head = [
-                f"{self.mode.name}: {self.mode.title}",
-                f"swept: {self.mode.swept}",
-                f"right: {self.mode.band}",
                 f"program: {self.version}",
                 f"machine: {processor()}, {os.cpu_count()} processors, "
                 f"{platform.system()} {platform.release()}",
                 f"tools: Python {platform.python_version()}, "
                 f"numpy {np.__version__}",
                 f"date: {datetime.date.today().isoformat()}"]
+        about = [f"{self.mode.name}: {self.mode.title}",
+                 f"swept: {self.mode.swept}", f"right: {self.mode.band}"]
         with open(self.path + ".part", "w", newline="",
                   encoding="utf-8") as file:
-            file.writelines(f"# {line}\n" for line in self.head)
+            file.writelines(f"# {line}\n" for line in about + self.head)
             writer = csv.DictWriter(file, self.columns, lineterminator="\n")
             writer.writeheader()
             writer.writerows(self.judged())
