@@ -74,7 +74,8 @@ C1 = Mode(
     "With the motion of its walls prescribed (Dirichlet-Neumann) enclosed fluid "
     "has neither a level of pressure nor a solution.",
     "problem, acceleration, coupling scheme",
-    "volume of the fluid kept to 1e-4, or grown by what has flowed in",
+    "volume of the fluid kept to 1e-4, or grown by what has flowed in (in the "
+    "open channel, whose volume is free: all steps converged)",
     "Dirichlet-Neumann is refused for what it is where the fluid is enclosed; "
     "Robin-Neumann keeps the volume.",
     Axis("acceleration", "acceleration"), Axis("problem", "problem"), SCHEME,
@@ -181,9 +182,12 @@ C6 = Mode(
     "C6", "loose coupling tolerance: forces that are not converged",
     "Iterations that stop early leave forces and amplitudes wrong.",
     "coupling tolerance, time step, acceleration; a pulse in a lined channel",
-    "displacement of the wall within 2 % of that of a tolerance of 1e-8 (which "
-    "is the reference)",
-    "Up to 1e-4 results are those of a tight tolerance; looser ones are told.",
+    "displacement of the wall within 2 % of that of IQN-ILS with a tolerance of "
+    "1e-5 (which is the reference, and 2e-5 off that of 1e-8 where there is "
+    "one)",
+    "Up to 1e-3 results are those of a tight tolerance within 0.4 %; 1e-2, the "
+    "largest that is accepted, is 3 % off with the longer step, and nobody says "
+    "so yet.",
     TOLERANCE, Axis("step", "time step [s]"),
     Axis("acceleration", "acceleration"), ["displacement", "iterations"],
     lambda full: grid(acceleration=["Aitken", "IQN-ILS"],
@@ -192,7 +196,7 @@ C6 = Mode(
                       (["1e-6"] if full else [])),
     loose, {"displacement": 0.02},
     lambda row, rows: {"displacement": from_row(
-        "displacement", rows, acceleration="IQN-ILS", tolerance="1e-8",
+        "displacement", rows, acceleration="IQN-ILS", tolerance="1e-5",
         step=row["step"])})
 
 OIL = {"pocket": {"Lubrication/Model": "pocket"},

@@ -1,6 +1,7 @@
 """The page of a folder of sweeps: the table of all modes, and their maps."""
 
 import os
+import re
 
 from .mode import OUTCOMES
 
@@ -46,7 +47,10 @@ def write_page(folder, tables):
         told = {row["sentence"] for row in rows
                 if row["outcome"] == OUTCOMES[1]}
         if told:
-            text += f"One of the sentences: {max(told, key=len)}\n\n"
+            # The file is one that the sweep has made.
+            longest = re.sub(r"^scene\.prm(, line \d+)?[:,] ", "",
+                             max(told, key=len))
+            text += f"One of the sentences: {longest}\n\n"
         text += f"[{mode.name}.csv]({mode.name}.csv), " + "; ".join(
             line for line in head
             if line.startswith(("program", "machine", "date"))) + ".\n"
