@@ -60,9 +60,11 @@ endfunction()
 set_source_files_properties(${CMAKE_SOURCE_DIR}/source/surrogate/correlation.cc
   PROPERTIES COMPILE_OPTIONS "-O3;-ffast-math;-ffp-contract=fast;-fno-sanitize=all")
 
-# Vector instructions for the inner loops of the solid and of its material laws:
-# sums keep their order.
+# Vector instructions for the inner loops of the solid, of its material laws, and
+# of the solver: sums keep their order.
 set_source_files_properties(${CMAKE_SOURCE_DIR}/source/solid/element_stiffness.cc
+  ${CMAKE_SOURCE_DIR}/source/solid/element_gradients.cc
+  ${CMAKE_SOURCE_DIR}/source/solvers/supernodal_panels.cc
   PROPERTIES COMPILE_OPTIONS "-ffp-contract=fast")
 set_source_files_properties(${CMAKE_SOURCE_DIR}/source/constitutive/johnson_cook.cc
   ${CMAKE_SOURCE_DIR}/source/constitutive/voce.cc

@@ -15,14 +15,6 @@ namespace asperity
   /** Work space of one element. */
   struct SolidAssembler::Scratch
   {
-    void
-    start(const unsigned int n, const bool axisymmetric)
-    {
-      displacement.resize(2 * n);
-      residual.assign(2 * n, 0.);
-      K.start(n, axisymmetric);
-    }
-
     std::vector<double>           displacement, residual;
     ElementStiffness              K;
     std::vector<Tensor<2, 3>>     F; // of each point
@@ -83,17 +75,36 @@ namespace asperity
     , mises(table_.JxW.size(), 0.)
   {
     sort_functions(table_);
-    for (const auto &entry : table_.elements)
-      {
-        const ElementView element(table_, entry);
-        dofs.emplace_back();
-        for (unsigned int a = 0; a < element.n_functions(); ++a)
-          for (unsigned int c = 0; c < 2; ++c)
-            dofs.back().push_back(element.dof(a, c));
-      }
+    tabulate_elements();
     if (kinematics == Kinematics::axisymmetric)
       for (unsigned int q = 0; q < table_.JxW.size(); ++q)
         table_.JxW[q] *= 2. * dealii::numbers::PI * table_.position[q][0];
+  }
+
+
+
+  void
+  SolidAssembler::tabulate_elements()
+  {
+    for (const auto &entry : table_.elements)
+      {
+        const ElementView  element(table_, entry);
+        const unsigned int n = element.n_functions();
+        dofs.emplace_back();
+        for (unsigned int a = 0; a < n; ++a)
+          for (unsigned int c = 0; c < 2; ++c)
+            dofs.back().push_back(element.dof(a, c));
+        gradients.emplace_back(n,
+                               table_.points_per_element,
+                               kinematics == Kinematics::axisymmetric);
+        for (unsigned int q = 0; q < table_.points_per_element; ++q)
+          for (unsigned int a = 0; a < n; ++a)
+            gradients.back().set(q,
+                                 a,
+                                 element.gradient(q, a),
+                                 element.N(q, a) /
+                                   table_.position[element.point(q)][0]);
+      }
   }
 
 
@@ -107,36 +118,6 @@ namespace asperity
                             element_dofs.begin(),
                             element_dofs.end(),
                             true);
-  }
-
-
-
-  void
-  SolidAssembler::fill_deformation(const ElementView &element, Scratch &s) const
-  {
-    s.F.resize(table_.points_per_element);
-    for (unsigned int q = 0; q < table_.points_per_element; ++q)
-      {
-        double xx = 1., xy = 0., yx = 0., yy = 1., zz = 1.;
-        for (unsigned int a = 0; a < element.n_functions(); ++a)
-          {
-            const Tensor<1, 2> &gradient = element.gradient(q, a);
-            const double        u_x      = s.displacement[2 * a],
-                         u_y             = s.displacement[2 * a + 1];
-            xx += u_x * gradient[0];
-            xy += u_x * gradient[1];
-            yx += u_y * gradient[0];
-            yy += u_y * gradient[1];
-            if (kinematics == Kinematics::axisymmetric)
-              zz +=
-                u_x * element.N(q, a) / table_.position[element.point(q)][0];
-          }
-        s.F[q][0][0] = xx;
-        s.F[q][0][1] = xy;
-        s.F[q][1][0] = yx;
-        s.F[q][1][1] = yy;
-        s.F[q][2][2] = zz;
-      }
   }
 
 
@@ -174,37 +155,20 @@ namespace asperity
                             const bool         with_tangent,
                             Scratch           &s)
   {
-    const bool         axisymmetric = (kinematics == Kinematics::axisymmetric);
-    const ElementView  element(table_, table_.elements[e]);
-    const unsigned int n = element.n_functions();
-    s.start(n, axisymmetric);
-    for (unsigned int i = 0; i < 2 * n; ++i)
+    const ElementView       element(table_, table_.elements[e]);
+    const ElementGradients &grad_N = gradients[e];
+    s.displacement.assign(grad_N.size(), 0.);
+    s.residual.assign(grad_N.size(), 0.);
+    for (unsigned int i = 0; i < dofs[e].size(); ++i)
       s.displacement[i] = u(dofs[e][i]);
-    fill_deformation(element, s);
+    s.F.resize(table_.points_per_element);
+    grad_N.deform(s.displacement.data(), s.F.data());
     if (!evaluate_law(element, with_tangent, s))
       return false;
-
-    ElementStiffness::Gradients &grad_N = s.K.gradients();
-    for (unsigned int q = 0; q < table_.points_per_element; ++q)
-      {
-        const double        weight = element.JxW(q);
-        const Tensor<2, 3> &P      = s.responses[q].P;
-        for (unsigned int a = 0; a < n; ++a)
-          {
-            grad_N.x[a] = element.gradient(q, a)[0];
-            grad_N.y[a] = element.gradient(q, a)[1];
-            if (axisymmetric)
-              grad_N.hoop[a] =
-                element.N(q, a) / table_.position[element.point(q)][0];
-            s.residual[2 * a] +=
-              weight * (P[0][0] * grad_N.x[a] + P[0][1] * grad_N.y[a] +
-                        P[2][2] * grad_N.hoop[a]);
-            s.residual[2 * a + 1] +=
-              weight * (P[1][0] * grad_N.x[a] + P[1][1] * grad_N.y[a]);
-          }
-        if (with_tangent)
-          s.K.add(s.responses[q].tangent, weight);
-      }
+    const double *const weights = &table_.JxW[element.point(0)];
+    grad_N.add_forces(weights, s.responses.data(), s.residual.data());
+    if (with_tangent)
+      s.K.integrate(grad_N, weights, s.responses.data());
     return true;
   }
 

@@ -6,15 +6,16 @@
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_vector.h>
 
-#include <suitesparse/cholmod.h>
 #include <suitesparse/klu.h>
 #include <suitesparse/umfpack.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "compressed_rows.h"
+#include "supernodal_cholesky.h"
 
 namespace asperity
 {
@@ -120,89 +121,47 @@ namespace asperity
     class Cholmod : public DirectSolver
     {
     public:
-      Cholmod()
-      {
-        cholmod_start(&common);
-        common.supernodal    = CHOLMOD_SUPERNODAL;
-        common.print         = 0;
-        common.error_handler = nullptr;
-      }
-
-      ~Cholmod() override
-      {
-        cholmod_free_factor(&factor, &common);
-        cholmod_finish(&common);
-      }
-
       void
       reset() override
       {
-        rows.reset();
+        factor.clear();
         fallback.reset();
       }
 
       bool
       factorize(const dealii::SparseMatrix<double> &matrix) override
       {
-        const bool     is_new = rows.update(matrix);
-        cholmod_sparse view   = lower_triangle();
-        if (is_new)
-          {
-            cholmod_free_factor(&factor, &common);
-            factor = cholmod_analyze(&view, &common);
-          }
-        if (factor == nullptr || !rows.is_finite)
+        if (!factor.is_analyzed() && !analyze(matrix))
           return false;
-        cholmod_factorize(&view, factor, &common);
-        is_definite = common.status == CHOLMOD_OK && factor->minor == factor->n;
+        // The diagonal comes first in each row of a square matrix: that of the
+        // first row is where its values start, which are only read.
+        is_definite = factor.factorize(
+          &const_cast<dealii::SparseMatrix<double> &>(matrix).diag_element(0));
         return is_definite || fallback.factorize(matrix);
       }
 
       void
       solve(dealii::Vector<double> &rhs) const override
       {
-        if (!is_definite)
-          {
-            fallback.solve(rhs);
-            return;
-          }
-        cholmod_dense b{};
-        b.nrow = b.nzmax = b.d = rhs.size();
-        b.ncol                 = 1;
-        b.x                    = rhs.begin();
-        b.xtype                = CHOLMOD_REAL;
-        b.dtype                = CHOLMOD_DOUBLE;
-        cholmod_dense *x       = cholmod_solve(CHOLMOD_A, factor, &b, &common);
-        std::copy_n(static_cast<double *>(x->x), rhs.size(), rhs.begin());
-        cholmod_free_dense(&x, &common);
+        if (is_definite)
+          factor.solve(rhs.begin());
+        else
+          fallback.solve(rhs);
       }
 
     private:
-      /** The rows, read as columns of the symmetric matrix; CHOLMOD ignores
-       *  what lies above the diagonal. */
-      cholmod_sparse
-      lower_triangle()
+      bool
+      analyze(const dealii::SparseMatrix<double> &matrix)
       {
-        cholmod_sparse view{};
-        view.nrow = view.ncol = rows.n();
-        view.nzmax            = rows.values.size();
-        view.p                = rows.row_start.data();
-        view.i                = rows.column.data();
-        view.x                = rows.values.data();
-        view.stype            = -1;
-        view.itype            = CHOLMOD_INT;
-        view.xtype            = CHOLMOD_REAL;
-        view.dtype            = CHOLMOD_DOUBLE;
-        view.sorted           = 1;
-        view.packed           = 1;
-        return view;
+        std::vector<std::pair<int, int>> entries;
+        for (const auto &entry : matrix)
+          entries.emplace_back(entry.row(), entry.column());
+        return factor.analyze(matrix.m(), entries);
       }
 
-      CompressedRows         rows;
-      Umfpack                fallback;
-      bool                   is_definite = false;
-      mutable cholmod_common common;
-      cholmod_factor        *factor = nullptr;
+      SupernodalCholesky factor;
+      Umfpack            fallback;
+      bool               is_definite = false;
     };
 
     class Klu : public DirectSolver

@@ -1,8 +1,7 @@
 #ifndef asperity_solid_element_stiffness_h
 #define asperity_solid_element_stiffness_h
 
-#include <deal.II/base/tensor.h>
-#include <deal.II/lac/sparse_matrix.h>
+#include <asperity/solid/element_gradients.h>
 
 #include <array>
 #include <vector>
@@ -11,33 +10,16 @@ namespace asperity
 {
   /**
    * Stiffness of one element, K_aibl = integral of dN_a/dX_J dP_iJ/dF_lM
-   * dN_b/dX_M [N/m^2 per metre of thickness; N/m if axisymmetric], summed point
-   * by point.
-   *
-   * The functions' index runs fastest and is padded, so that the innermost
-   * loops are vector instructions of the widest kind that the processor has.
+   * dN_b/dX_M [N/m^2 per metre of thickness; N/m if axisymmetric].
    */
   class ElementStiffness
   {
   public:
-    /** Derivatives of the functions at one point, padded by zeros; hoop: N_a
-     *  over the radius. */
-    struct Gradients
-    {
-      std::vector<double> x, y, hoop;
-    };
-
-    /** A new element, of zero stiffness. */
+    /** @param weights of the points [m^2, m^3 if axisymmetric] */
     void
-    start(const unsigned int n_functions, const bool axisymmetric);
-
-    /** Derivatives at a point that the caller fills, one entry a function. */
-    Gradients &
-    gradients();
-
-    /** K += weight dP/dF : (Grad N_a, Grad N_b) at gradients(). */
-    void
-    add(const dealii::Tensor<4, 3> &dP_dF, const double weight);
+    integrate(const ElementGradients &gradients,
+              const double           *weights,
+              const MaterialResponse *responses);
 
     /** Number of functions. */
     unsigned int
@@ -46,60 +28,22 @@ namespace asperity
       return n;
     }
 
-    double
-    operator()(const unsigned int a,
-               const unsigned int i,
-               const unsigned int b,
-               const unsigned int l) const
+    /** K_ai, one number for each [2 b + l]. */
+    const double *
+    row(const unsigned int a, const unsigned int i) const
     {
-      return blocks[2 * i + l][a * stride + b];
+      return &blocks[i][a * stride];
     }
 
   private:
-    unsigned int n            = 0;
-    unsigned int stride       = 0; ///< n, padded
-    bool         axisymmetric = false;
-    Gradients    gradients_;
+    unsigned int n      = 0;
+    unsigned int stride = 0; ///< 2 n, padded
 
-    std::vector<double> zero;
+    /** Of a group of points: [i][(point, J), 2 b + l], derivatives of P_iJ
+     *  times weight by displacement component l of function b. */
+    std::array<std::vector<double>, 2> columns;
 
-    /** [2 * component of P + l][b]: derivative of that component times weight
-     *  with respect to displacement component l of function b. */
-    std::array<std::vector<double>, 10> columns;
-
-    /** [2 i + l][a * stride + b] */
-    std::array<std::vector<double>, 4> blocks;
-  };
-
-
-
-  /**
-   * Adds element stiffnesses to a matrix. Where their entries stand is looked
-   * up once for all elements, not at every assembly: the search would cost a
-   * tenth of a run.
-   */
-  class StiffnessScatter
-  {
-  public:
-    /** Finds the entries of all elements, unless corners of the stiffnesses
-     *  stand where they were found last: then the pattern is the same.
-     *  @param dofs unknowns of each element, [2 a + component] */
-    void
-    find(const dealii::SparsityPattern                &pattern,
-         const std::vector<std::vector<unsigned int>> &dofs);
-
-    void
-    add(const unsigned int            element,
-        const ElementStiffness       &K,
-        dealii::SparseMatrix<double> &matrix) const;
-
-  private:
-    bool
-    fits(const dealii::SparsityPattern                &pattern,
-         const std::vector<std::vector<unsigned int>> &dofs) const;
-
-    /** Of each element: [(2 a + i) 2 n + 2 b + l], among all entries. */
-    std::vector<std::vector<unsigned int>> entries;
+    std::array<std::vector<double>, 2> blocks; ///< [i][a stride + 2 b + l]
   };
 } // namespace asperity
 

@@ -4,7 +4,8 @@
 #include <asperity/constitutive/material_law.h>
 #include <asperity/isogeometric/force_term.h>
 #include <asperity/isogeometric/spline_space.h>
-#include <asperity/solid/element_stiffness.h>
+#include <asperity/solid/element_gradients.h>
+#include <asperity/solid/stiffness_scatter.h>
 
 #include <memory>
 #include <vector>
@@ -95,9 +96,9 @@ namespace asperity
   private:
     struct Scratch;
 
-    /** F at each point, from the displacement of the element's functions. */
+    /** Unknowns of each element and gradients of its functions. */
     void
-    fill_deformation(const ElementView &element, Scratch &scratch) const;
+    tabulate_elements();
 
     /** The law at each point, and the end of the step from it. */
     bool
@@ -118,6 +119,7 @@ namespace asperity
 
     /** Of each element, in growing order: [2 a + component]. */
     std::vector<std::vector<unsigned int>> dofs;
+    std::vector<ElementGradients>          gradients; ///< of each element
     StiffnessScatter                       scatter;
 
     double                     dt = 1.;

@@ -1,0 +1,45 @@
+#ifndef asperity_solid_stiffness_scatter_h
+#define asperity_solid_stiffness_scatter_h
+
+#include <asperity/solid/element_stiffness.h>
+
+#include <deal.II/lac/sparse_matrix.h>
+
+#include <vector>
+
+namespace asperity
+{
+  /**
+   * Adds element stiffnesses to a matrix. Where their entries stand is looked
+   * up once for all elements, not at every assembly: the search would cost a
+   * tenth of a run.
+   */
+  class StiffnessScatter
+  {
+  public:
+    /** Finds the entries of all elements, unless corners of the stiffnesses
+     *  stand where they were found last: then the pattern is the same.
+     *  @param dofs unknowns of each element, [2 a + component], those of a
+     *   function one after the other and in rising order */
+    void
+    find(const dealii::SparsityPattern                &pattern,
+         const std::vector<std::vector<unsigned int>> &dofs);
+
+    void
+    add(const unsigned int            element,
+        const ElementStiffness       &K,
+        dealii::SparseMatrix<double> &matrix) const;
+
+  private:
+    bool
+    fits(const dealii::SparsityPattern                &pattern,
+         const std::vector<std::vector<unsigned int>> &dofs) const;
+
+    /** Of each element, for each of its rows [2 a + i], among all entries:
+     *  where those of b = 0, 1, ... begin, of which the second follows the
+     *  first; for b = a, where the diagonal is elsewhere, both. */
+    std::vector<std::vector<unsigned int>> entries;
+  };
+} // namespace asperity
+
+#endif
