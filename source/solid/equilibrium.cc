@@ -53,7 +53,10 @@ namespace asperity
     dealii::Timer timer;
     R = 0.;
     if (with_tangent)
-      matrix = 0.;
+      {
+        matrix        = 0.;
+        matrix_is_new = true;
+      }
     for (ForceTerm *term : terms)
       if (!term->add(u, R, with_tangent ? &matrix : nullptr))
         return false;
@@ -134,6 +137,21 @@ namespace asperity
   bool
   Equilibrium::direction(const Vector &R, Vector &d)
   {
+    if ((matrix_is_new || !is_factorised) && !factorize())
+      return false;
+    dealii::Timer timer;
+    d = R;
+    d *= -1.;
+    const bool solved = solve(d);
+    cost_.solution += timer.wall_time();
+    return solved && is_finite(d);
+  }
+
+
+
+  bool
+  Equilibrium::factorize()
+  {
     dealii::Timer timer;
     eliminate_prescribed();
     dense_part.drop_rows(constraints);
@@ -145,18 +163,19 @@ namespace asperity
         matrix.add(support, support, add);
         dense_part.add(unit, -add);
       }
-    const bool regular =
-      solver->factorize(matrix) && dense_part.factorize(*solver);
+    is_factorised = solver->factorize(matrix) && dense_part.factorize(*solver);
+    matrix_is_new = false;
     ++cost_.factorisations;
     cost_.factorisation += timer.wall_time();
-    if (!regular)
-      return false;
-    timer.restart();
-    d = R;
-    d *= -1.;
-    const bool solved = solve(d);
-    cost_.solution += timer.wall_time();
-    return solved && is_finite(d);
+    return is_factorised;
+  }
+
+
+
+  bool
+  Equilibrium::has_tangent() const
+  {
+    return is_factorised && dense_part.empty() && unsymmetric.empty();
   }
 
 

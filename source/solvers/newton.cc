@@ -14,6 +14,10 @@ namespace asperity
      *  converges. */
     constexpr double near_end = 200.;
 
+    /** A step with an old tangent is tried if, contracting as the last one has,
+     *  it would end at this many tolerances. */
+    constexpr double last_step = 3.;
+
     /** The search along one direction: u + a d. */
     class LineSearch
     {
@@ -27,11 +31,11 @@ namespace asperity
       {}
 
       /**
-       * On entry R = R(u); on success u and R are those of the accepted point
-       * and the tangent is the one there.
+       * On entry R = R(u); on success u and R are those of the accepted point.
+       * @param linearized whether the tangent is the one there
        */
       bool
-      advance(Vector &u, Vector &R, const Vector &d)
+      advance(Vector &u, Vector &R, const Vector &d, bool &linearized)
       {
         const double s0   = energy_slope(R, d);
         const double norm = system.norm(R);
@@ -45,11 +49,10 @@ namespace asperity
             u.add(a, d);
             // The full step is mostly accepted and needs a tangent next, unless
             // the iteration is about to end.
-            const bool with_tangent =
-              trial == 0 && norm > near_end * options.tolerance;
+            linearized = trial == 0 && norm > near_end * options.tolerance;
             const bool exists =
-              with_tangent ? system.linearize(u, R) : system.residual(u, R);
-            ++(with_tangent ? statistics.linearizations : statistics.residuals);
+              linearized ? system.linearize(u, R) : system.residual(u, R);
+            ++(linearized ? statistics.linearizations : statistics.residuals);
             if (!exists)
               {
                 high      = a;
@@ -59,14 +62,7 @@ namespace asperity
               }
             const double s = energy_slope(R, d);
             if (acceptable(s, s0, system.norm(R), norm))
-              {
-                if (!with_tangent && system.norm(R) > options.tolerance)
-                  {
-                    ++statistics.linearizations;
-                    return system.linearize(u, R);
-                  }
-                return true;
-              }
+              return true;
             if (options.merit == NewtonMerit::residual_norm)
               a *= 0.5;
             else
@@ -136,6 +132,33 @@ namespace asperity
       const NewtonOptions &options;
       NewtonStatistics    &statistics;
     };
+
+    /**
+     * A full step with the tangent of an earlier iterate, whose factor is at
+     * hand: it converges as fast as the steps before have, which is fast enough
+     * for the last correction.
+     * @param u, R on success those of the new point, else as they were
+     * @return whether the norm has fallen
+     */
+    bool
+    correct(NonlinearSystem  &system,
+            Vector           &u,
+            Vector           &R,
+            Vector           &d,
+            NewtonStatistics &statistics)
+    {
+      ++statistics.iterations;
+      if (!system.direction(R, d))
+        return false;
+      const Vector old_u = u, old_R = R;
+      u += d;
+      ++statistics.residuals;
+      if (system.residual(u, R) && system.norm(R) < system.norm(old_R))
+        return true;
+      u = old_u;
+      R = old_R;
+      return false;
+    }
 
     /**
      * Full steps with a tangent that is kept while it is good enough. Ends at
@@ -215,8 +238,11 @@ namespace asperity
         return report;
       }
     LineSearch line_search(system, options, statistics);
+    bool       linearized = true;
+    double     previous   = 0.; // norm
     for (;; ++report.iterations)
       {
+        previous        = report.residual;
         report.residual = system.norm(R);
         if (!std::isfinite(report.residual))
           {
@@ -233,13 +259,28 @@ namespace asperity
             report.reason = "the iteration limit was reached";
             return report;
           }
+        if (!linearized && options.merit == NewtonMerit::energy &&
+            system.has_tangent() &&
+            report.residual * report.residual <=
+              last_step * options.tolerance * previous &&
+            correct(system, u, R, d, statistics))
+          continue;
+        if (!linearized)
+          {
+            ++statistics.linearizations;
+            if (!system.linearize(u, R))
+              {
+                report.reason = "no tangent exists where a residual does";
+                return report;
+              }
+          }
         ++statistics.iterations;
         if (!system.direction(R, d))
           {
             report.reason = system.direction_failure();
             return report;
           }
-        if (!line_search.advance(u, R, d))
+        if (!line_search.advance(u, R, d, linearized))
           {
             report.reason = "the line search found no better point";
             return report;

@@ -58,6 +58,10 @@ namespace asperity
     direction(const dealii::Vector<double> &R,
               dealii::Vector<double>       &d) override;
 
+    /** Of an earlier u only where the sparse factor is all of the tangent. */
+    bool
+    has_tangent() const override;
+
     /** Names a degree of freedom whose diagonal entry is raised while the
      *  sparse matrix is factorised, and set right by a rank-one update: a body
      *  that nothing but rank-one terms hold can then be solved for, too. */
@@ -111,6 +115,10 @@ namespace asperity
              dealii::Vector<double>       &R,
              const bool                    with_tangent);
 
+    /** Of the matrix. @return false if it is singular */
+    bool
+    factorize();
+
     void
     eliminate_prescribed();
 
@@ -144,6 +152,9 @@ namespace asperity
     double                                              static_weight = 1.;
     dealii::Vector<double>                              inertia_constant;
     EquilibriumCost                                     cost_;
+
+    bool matrix_is_new = false; ///< linearized and not factorised yet
+    bool is_factorised = false; ///< an earlier matrix, at the least
   };
 } // namespace asperity
 
