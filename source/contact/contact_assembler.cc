@@ -4,12 +4,22 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace asperity
 {
   using dealii::Tensor;
   using Vector = dealii::Vector<double>;
   using Matrix = dealii::SparseMatrix<double>;
+
+  namespace
+  {
+    /** Where a point was whose gap is unknown: no other is equal to it. */
+    const dealii::Point<2> nowhere(std::numeric_limits<double>::quiet_NaN(),
+                                   0.);
+  } // namespace
+
+
 
   ContactAssembler::ContactAssembler(
     std::shared_ptr<const SplineSpace>   space,
@@ -37,6 +47,7 @@ namespace asperity
   {
     for (unsigned int q = 0; q < hint.size(); ++q)
       hint[q] = table_.position[q][0];
+    position.assign(position.size(), nowhere);
     if (options.interface.law != InterfaceShear::none)
       shear_.emplace(tractions, table_, options.interface, options.penalty);
   }
@@ -62,6 +73,9 @@ namespace asperity
             const unsigned int point = element.point(q);
             dealii::Point<2>   x     = table_.position[point];
             element.add_displacement(q, u, x);
+            // A tangent is often wanted where the residual was.
+            if (x == position[point])
+              continue;
             position[point] = x;
             gap[point]      = obstacle->gap(x - offset, hint[point]);
           }
@@ -178,6 +192,7 @@ namespace asperity
   ContactAssembler::set_obstacle_offset(const Tensor<1, 2> &new_offset)
   {
     offset = new_offset;
+    position.assign(position.size(), nowhere);
   }
 
 

@@ -315,7 +315,8 @@ namespace asperity
     double low = 0., high = 1e-3 * scene.length;
     while (!supports(high) && high < 1e3 * scene.length)
       high *= 2.;
-    for (unsigned int i = 0; i < 60; ++i)
+    // The balance starts there: a small part of what penetrates will do.
+    while (high - low > 1e-10 * scene.length)
       (supports(0.5 * (low + high)) ? high : low) = 0.5 * (low + high);
     return high;
   }

@@ -125,9 +125,32 @@ namespace asperity
     part.low  = -1.;
     part.high = 1.;
     CurveLocation location;
-    location.piece = piece;
-    location.turn  = turn;
+    location.piece            = piece;
+    location.turn             = turn;
+    const DistanceJet &known  = best_point.jet;
+    const unsigned int middle = pieces.degree() / 2;
+    if (is_beyond(part, known.rx, known.ry) ||
+        is_beyond(part, part.x[middle], part.y[middle]))
+      return;
     search(part, location, 0);
+  }
+
+
+
+  bool
+  DistanceCertificate::is_beyond(const Part  &part,
+                                 const double way_x,
+                                 const double way_y) const
+  {
+    const double limit =
+      best_squared_distance * (way_x * way_x + way_y * way_y);
+    for (unsigned int i = 0; i <= pieces.degree(); ++i)
+      {
+        const double along = part.x[i] * way_x + part.y[i] * way_y;
+        if (!(along > 0. && along * along >= limit * part.w[i] * part.w[i]))
+          return false;
+      }
+    return true;
   }
 
 

@@ -50,6 +50,11 @@ namespace asperity
            const CurveLocation &location,
            const unsigned int   depth);
 
+    /** Whether a line across a way from the point has the part's hull on its
+     *  far side, no nearer than the best distance: the cheapest proof. */
+    bool
+    is_beyond(const Part &part, const double way_x, const double way_y) const;
+
     void
     form_squared_distance(const Part &part, Forms &forms) const;
 
