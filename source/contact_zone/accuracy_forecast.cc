@@ -27,6 +27,11 @@ namespace asperity
      *  R0 and R1, and the largest share that is found to touch. */
     constexpr double hardness = 2.25, most_contact = 0.8;
 
+    /** A recommendation is at most one halving coarser than what is there, and
+     *  half the forecast error may hide. */
+    constexpr int    coarsest = 1;
+    constexpr double safety   = 2.;
+
     /** Time of a run over that of a dry one, as measured on the lubricated
      *  scenes. */
     double
@@ -191,9 +196,9 @@ namespace asperity
       return sentences;
     std::optional<Fineness> best;
     AccuracyForecast        of_best;
-    for (int mesh = -3; mesh <= 4; ++mesh)
-      for (int step = -3; step <= 5; ++step)
-        for (int penalty = -4; penalty <= 5; ++penalty)
+    for (int mesh = -coarsest; mesh <= 4; ++mesh)
+      for (int step = -coarsest; step <= 5; ++step)
+        for (int penalty = -coarsest; penalty <= 5; ++penalty)
           {
             if (!has_mesh(parameters, mesh))
               continue;
@@ -204,7 +209,7 @@ namespace asperity
             finer.penalty_factor =
               std::ldexp(numbers.penalty_factor, penalty - mesh);
             const AccuracyForecast candidate = forecast(finer, oil);
-            if (candidate.total() <= wanted &&
+            if (safety * candidate.total() <= wanted &&
                 (!best || candidate.time < of_best.time))
               {
                 best    = Fineness{mesh, step, penalty};

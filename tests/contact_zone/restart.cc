@@ -269,6 +269,7 @@ TEST(Restart, knows_which_entries_may_differ)
   EXPECT_EQ(differ,
             (std::set<std::string>{"Accuracy/Control",
                                    "Accuracy/Error",
+                                   "Accuracy/Maximum unknowns",
                                    "Coupling/Maximum iterations",
                                    "Protocol/Maximum distance",
                                    "Protocol/Steady distance",
