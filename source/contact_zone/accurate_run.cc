@@ -73,6 +73,21 @@ namespace asperity
         }
     }
 
+    /** That the wanted error needs more unknowns than it may. */
+    std::string
+    limit_of(const ErrorEstimate &error, const AccuracyParameters &accuracy)
+    {
+      return excess_of(
+        error,
+        accuracy.error,
+        error.largest() +
+          ", and settings that are finer where it matters need more than the " +
+          std::to_string(accuracy.maximum_unknowns) +
+          " unknowns of Accuracy/Maximum unknowns");
+    }
+
+
+
     /** The run at other settings of the scene. */
     std::unique_ptr<SceneRun>
     at_settings(const std::string     &file,
@@ -165,14 +180,7 @@ namespace asperity
           return;
         if (!next)
           {
-            run.warnings.push_back(excess_of(
-              round.error,
-              wanted,
-              round.error.largest() +
-                ", and settings that are finer where it matters need more than "
-                "the " +
-                std::to_string(scene.accuracy.maximum_unknowns) +
-                " unknowns of Accuracy/Maximum unknowns"));
+            run.warnings.push_back(limit_of(round.error, scene.accuracy));
             return;
           }
         at = *next;

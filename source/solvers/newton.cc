@@ -213,6 +213,21 @@ namespace asperity
         }
       return report;
     }
+
+
+
+    /** Whether the residual in the report ends the iteration, and how. */
+    bool
+    has_ended(ConvergenceReport &report, const NewtonOptions &options)
+    {
+      if (!std::isfinite(report.residual))
+        report.reason = "the residual is not finite";
+      else if (report.residual <= options.tolerance)
+        report.converged = true;
+      else if (report.iterations == options.maximum_iterations)
+        report.reason = "the iteration limit was reached";
+      return report.converged || !report.reason.empty();
+    }
   } // namespace
 
 
@@ -244,21 +259,8 @@ namespace asperity
       {
         previous        = report.residual;
         report.residual = system.norm(R);
-        if (!std::isfinite(report.residual))
-          {
-            report.reason = "the residual is not finite";
-            return report;
-          }
-        if (report.residual <= options.tolerance)
-          {
-            report.converged = true;
-            return report;
-          }
-        if (report.iterations == options.maximum_iterations)
-          {
-            report.reason = "the iteration limit was reached";
-            return report;
-          }
+        if (has_ended(report, options))
+          return report;
         if (!linearized && options.merit == NewtonMerit::energy &&
             system.has_tangent() &&
             report.residual * report.residual <=

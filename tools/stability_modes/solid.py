@@ -2,7 +2,7 @@
 
 from .mode import Axis, Mode, grid
 
-IMPACT = {"velocity": 0.3, "energy": 0.05, "impulse": 0.3}
+IMPACT = {"velocity": 0.1, "energy": 0.01, "impulse": 0.1}
 C12 = Mode(
     "C12", "impact: chatter and growth of energy",
     "Time integration that keeps the energy of a smooth motion gains it in "
