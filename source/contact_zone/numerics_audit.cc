@@ -63,6 +63,25 @@ namespace asperity
           " nothing damps the chatter of the contact, which can gain energy "
           "from each impact; lower Protocol/Spectral radius to 0.8.");
     }
+
+    /** What of the load's growth gets into mu. Measured on R0 (tools/stability
+     *  C23): a ramp of half of the time or all of it takes 3 to 11 % or 22 to
+     *  99 % off a mean over the second half. */
+    void
+    audit_ramp(const SceneParameters &parameters, SceneAudit &audit)
+    {
+      const ProtocolParameters &protocol = parameters.protocol;
+      const LoadProtocol        course(parameters.load, protocol);
+      if (protocol.window == FrictionWindow::time &&
+          course.ramp_time() >=
+            (1. - protocol.window_fraction) * course.end_time())
+        audit.warnings.push_back(
+          "The load still grows where the window of mu begins, so that mu is "
+          "too small; lower Protocol/Ramp fraction or Window fraction.");
+    }
+
+
+
     /** Way that a spot under the mean pressure slides before its shear is as
      *  large as Coulomb's law allows, against the way of the run. */
     void
@@ -98,6 +117,7 @@ namespace asperity
     audit_locking(parameters, scene, audit);
     audit_contact_points(parameters, scene, audit);
     audit_damping(parameters, audit);
+    audit_ramp(parameters, audit);
     audit_stick(parameters, scene, audit);
   }
 } // namespace asperity

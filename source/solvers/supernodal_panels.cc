@@ -77,6 +77,30 @@ namespace asperity::supernodal
 
 
 
+    /** Rows from i on and columns from j on of an update, a tile of them. */
+    template <unsigned int n_packs>
+    inline void
+    subtract_tile(const Update       &u,
+                  const double       *from,
+                  const unsigned int  i,
+                  const unsigned int  j,
+                  const unsigned int *places,
+                  double             *target,
+                  const unsigned int  stride)
+    {
+      Pack sum[lanes][n_packs];
+      multiply<n_packs>(from + i, from + j, u.stride, u.width, sum);
+      scatter<n_packs>(sum,
+                       places + i,
+                       u.n_rows - i,
+                       places + j,
+                       std::min(lanes, u.n_columns - j),
+                       target,
+                       stride);
+    }
+
+
+
     void
     subtract(const Update       &u,
              const double       *values,
@@ -86,37 +110,11 @@ namespace asperity::supernodal
     {
       const double *const from = values + u.values;
       for (unsigned int j = 0; j < u.n_columns; j += lanes)
-        {
-          const unsigned int n_columns = std::min(lanes, u.n_columns - j);
-          for (unsigned int i = j; i < u.n_rows; i += 2 * lanes)
-            {
-              const unsigned int n_rows = u.n_rows - i;
-              if (n_rows > lanes)
-                {
-                  Pack sum[lanes][2];
-                  multiply<2>(from + i, from + j, u.stride, u.width, sum);
-                  scatter<2>(sum,
-                             places + i,
-                             n_rows,
-                             places + j,
-                             n_columns,
-                             target,
-                             stride);
-                }
-              else
-                {
-                  Pack sum[lanes][1];
-                  multiply<1>(from + i, from + j, u.stride, u.width, sum);
-                  scatter<1>(sum,
-                             places + i,
-                             n_rows,
-                             places + j,
-                             n_columns,
-                             target,
-                             stride);
-                }
-            }
-        }
+        for (unsigned int i = j; i < u.n_rows; i += 2 * lanes)
+          if (u.n_rows - i > lanes)
+            subtract_tile<2>(u, from, i, j, places, target, stride);
+          else
+            subtract_tile<1>(u, from, i, j, places, target, stride);
     }
 
 

@@ -169,3 +169,36 @@ TEST(GradedRows, a_chip_flatter_than_its_elements_are_long_has_one_row)
   EXPECT_EQ(graded_rows(5e-6, 10e-6, 1.5), (std::vector<double>{0., 5e-6}));
   EXPECT_EQ(graded_rows(5e-6, 1e-3, 1.), (std::vector<double>{0., 5e-6}));
 }
+
+TEST(SceneWarnings, of_a_way_on_which_the_contact_runs_in)
+{
+  // An asperity of R0 is 0.91 um long: 0.28 um is more than a quarter of it.
+  SceneParameters parameters = coarse_scene();
+  const auto      audit      = [&parameters]() {
+    return audit_scene(parameters, Scene(parameters)).warnings;
+  };
+  parameters.protocol.sliding_distance = 0.28e-6;
+  parameters.resolve();
+  EXPECT_FALSE(says(audit(), "running in"));
+  parameters.protocol.sliding_distance = 0.1e-6;
+  parameters.resolve();
+  EXPECT_TRUE(says(audit(), "The chip slides only 100 nm, 0.11 of the length"));
+}
+
+TEST(SceneWarnings, of_a_load_that_grows_too_long_or_too_fast)
+{
+  SceneParameters parameters = coarse_scene();
+  const auto      audit      = [&parameters]() {
+    return audit_scene(parameters, Scene(parameters)).warnings;
+  };
+  parameters.protocol.window_fraction = 0.5;
+  parameters.protocol.ramp_fraction   = 0.45;
+  EXPECT_FALSE(says(audit(), "The load still grows"));
+  parameters.protocol.ramp_fraction = 0.5;
+  EXPECT_TRUE(says(audit(), "The load still grows"));
+  parameters.protocol.inertia       = Inertia::dynamic;
+  parameters.protocol.ramp_fraction = 0.2; // 29 transits
+  EXPECT_FALSE(says(audit(), "transits"));
+  parameters.protocol.ramp_fraction = 0.05;
+  EXPECT_TRUE(says(audit(), "The load grows within 7.3 transits"));
+}

@@ -75,8 +75,9 @@ C22 = Mode(
     "finite load on (alpha q_max = 1, here alpha = 4).",
     "pressure coefficient over that of the slider, cells",
     "load within 2 % of the exact one",
-    "Up to 99 % of the limit the load is right; beyond, and on grids too coarse "
-    "for the peak, the film says that its pressure runs away.",
+    "Up to 99 % of the limit the load is right on 50 cells and more; 20 cells "
+    "are 2 to 7 % off from alpha = 3.5 on without a word, and beyond the "
+    "limit the film says that its pressure runs away.",
     Axis("alpha", "pressure coefficient alpha U eta L/h^2"),
     Axis("cells", "cells"), Axis("film", "film"), ["load"],
     lambda full: grid(film=["slider 2 : 1"],

@@ -124,8 +124,10 @@ C2 = Mode(
     "acceleration; three steps of a pulse in a lined channel",
     "displacement of the wall within 1 % of that by Robin-Neumann with IQN-ILS "
     "(which is the reference)",
-    "Robin-Neumann with IQN-ILS converges everywhere; what does not converge "
-    "says so.",
+    "Robin-Neumann converges everywhere; Dirichlet-Neumann beside light "
+    "bodies ends with a sentence, and in 5 cells with steps of 1e-4 s and "
+    "less with a displacement 5 to 100 % off, without a word: so small a "
+    "displacement lies below what its tolerance asks for.",
     Axis("step", "time step [s]"),
     Axis("ratio", "density of body over fluid"),
     Axis("method", "method"), ["displacement", "iterations"],
@@ -232,8 +234,8 @@ C16 = Mode(
     "part of the void full of oil, pressure up to full closure, model of the "
     "oil; R0, 24 steps",
     "load carried within 2 %, mass of the oil kept to 1e-3",
-    "Oil and load are kept up to closure; what cannot be balanced ends with "
-    "the step and its reason.",
+    "Oil and load are kept up to closure; what cannot be balanced, flow with "
+    "seals at 3 GPa above all, ends with the step and its reason.",
     Axis("wetting", "part of the void full of oil"),
     Axis("pressure", "pressure [MPa]"), Axis("model", "model"),
     ["load", "oil", "mu"],

@@ -11,8 +11,11 @@ C12 = Mode(
     "generalised-alpha, penalty factor; a bar flies against a wall",
     "velocity after the impact within 10 % of minus that before, impulse within "
     "10 % of rho c v times 2 L/c, kinetic energy never 1 % above the start",
-    "Energy never grows, not even without damping; steps above two elements "
-    "long lose part of the rebound.",
+    "With steps of half a wave's time through an element and a hard penalty "
+    "the undamped scheme gains energy (twelvefold), and steps of two and more "
+    "lose 10 to 44 % of the rebound where they damp: nothing is said of "
+    "either but of a spectral radius above 0.9. Scenes are quasi-static "
+    "unless asked otherwise.",
     Axis("courant", "time step c dt/h"),
     Axis("rho", "spectral radius at infinite frequency"),
     Axis("penalty", "penalty", {"1": "penalty factor 1", "8": "penalty factor "
@@ -39,8 +42,8 @@ C17 = Mode(
     "Poisson's ratio, cells in the wall, degree; a thick elastic cylinder under "
     "pressure",
     "way of the inner face within 2 % of Lame's formula",
-    "Degree 1 locks, and degree 2 on two cells at ratios that the program "
-    "refuses; it says of both what they do.",
+    "Degree 1 locks from 0.3 on, and degrees above hold to 0.49, which is all "
+    "that the program takes; both are told.",
     Axis("poisson", "Poisson's ratio"), Axis("cells", "cells in the wall"),
     Axis("degree", "degree", {str(p): f"degree {p}" for p in range(1, 5)}),
     ["displacement"],

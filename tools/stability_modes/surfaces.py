@@ -49,8 +49,8 @@ C24 = Mode(
     "noise of the runs, where the box has no training points (a slab of 15 %), "
     "points, smooth or with a kink; 1000 other runs",
     "the 95 % interval holds at least 90 % of them",
-    "Within its points the interval holds what it says; in a slab without "
-    "points it may not.",
+    "Within its points the interval holds what it says, but for 5 % of noise "
+    "on 80 points (83 % instead of 95), and a slab without points is told.",
     Axis("noise", "relative noise of a run"),
     Axis("face", "training points", FACES),
     Axis("law", "law"), ["coverage", "miss", "error"],
@@ -130,8 +130,10 @@ C27 = Mode(
     "height of a spike of the microscope over the rms roughness, kind of the "
     "surface, search for spikes",
     "largest error of the profile below 10 % of its peak-to-valley height",
-    "Searched for, spikes from three times the roughness on are found; left in, "
-    "they are told by the slope that they make.",
+    "Searched for, spikes from three times the roughness on are found; left "
+    "in, high ones are told by the slope that they make, but one of the "
+    "height of the roughness moves the profile by 19 to 37 % without a word. "
+    "The smoothing of a sharp step is 10 % of its height.",
     Axis("spike", "height of a spike over the rms roughness"),
     Axis("kind", "surface", KINDS), Axis("treatment", "treatment"),
     ["height"],

@@ -227,22 +227,30 @@ namespace
     old.temperature             = cell.number("celsius") + 273.15;
     old.plastic_strain          = 0.02;
     const double       three_mu = 3. * ElasticParameters().shear_modulus();
-    const Tensor<2, 3> at_yield =
-      isochoric_stretch(flow_stress(0., 0., old.temperature) / three_mu);
+    const Tensor<2, 3> at_yield = isochoric_stretch(
+      flow_stress(old.plastic_strain, 0., old.temperature) / three_mu);
     const double       k = 0.6 * increment, s = 0.8 * increment;
     const Tensor<2, 3> F =
       plane(std::exp(k), s, 0.1 * s, std::exp(-k), 1.) * at_yield;
     const MaterialResponse r = evaluate(*law, F, old, dt);
     if (r.status != LawStatus::ok)
       throw Reported("The return map found no stress.");
-    const double plastic = r.state.plastic_strain; // none before
+    // The strain is known to its last digit, which may be all of its growth.
+    const double plastic = r.state.plastic_strain - old.plastic_strain,
+                 digit   = 0.5 * std::numeric_limits<double>::epsilon() *
+                         r.state.plastic_strain;
+    const auto at_rate_of = [&](const double growth) {
+      return flow_stress(r.state.plastic_strain,
+                         std::fmax(0., growth) / dt,
+                         r.state.temperature);
+    };
+    const double stress = mises_of(r.P, F);
     Values       values;
     values["stress"] =
       r.plastic ?
-        std::abs(mises_of(r.P, F) / flow_stress(r.state.plastic_strain,
-                                                plastic / dt,
-                                                r.state.temperature) -
-                 1.) :
+        std::fmax(0.,
+                  std::fmax(at_rate_of(plastic - digit) / stress - 1.,
+                            1. - at_rate_of(plastic + digit) / stress)) :
         0.;
     // Short against the increment, not so short that round-off shows.
     const double scale = std::fmin(increment, 1e-2);
