@@ -130,7 +130,7 @@ def ramp(cell, means):
         {**QUICK, "Protocol/Inertia": cell["inertia"],
          "Protocol/Ramp fraction": cell["fraction"],
          "Protocol/Ramp steps": cell["steps"]},
-        friction, about="carry|ramp|settled|impact|scatter")
+        friction, about="carry|load (still )?grows|settled")
 
 
 C23 = Mode(
