@@ -6,7 +6,7 @@ Usage: tools/benchmarks/effectivity.py [--asperity PROGRAM] [--to FOLDER]
 
   estimate  `Accuracy/Control = estimate` at the default settings against a
             finer run: the sixteen dry reference scenes, profiles of the
-            surfaces in parameter_files and ../shared/surfaces at loads of their
+            surfaces in parameter_files and those of the tests at loads of their
             own, and R0 with two more harmonics
   adaptive  `Accuracy/Control = adaptive` for the wanted error: the error that
             is left, and the cost over that of the default settings
