@@ -61,9 +61,10 @@ namespace asperity
 
   namespace
   {
-    /** Adds integrals over the elements of products of two functions.
+    /** Adds integrals over the elements of products of two functions, which are
+     *  symmetric.
      *  @param integrand adds what a point q of an element gives to the block
-     *    [a * n_functions + b] of its functions */
+     *    [a * n_functions + b] of its functions, b <= a */
     template <class Integrand>
     void
     integrate(const BasisTable &cells, const Integrand &integrand, Matrix &sum)
@@ -76,6 +77,9 @@ namespace asperity
           block.assign(n * n, 0.);
           for (unsigned int q = 0; q < cells.points_per_element; ++q)
             integrand(element, q, block.data());
+          for (unsigned int a = 0; a < n; ++a)
+            for (unsigned int b = 0; b < a; ++b)
+              block[b * n + a] = block[a * n + b];
           for (unsigned int a = 0; a < n; ++a)
             sum.add(entry.functions[a],
                     n,
@@ -101,7 +105,7 @@ namespace asperity
         for (unsigned int a = 0; a < n; ++a)
           {
             heat_content(element.function(a)) += heat * element.N(q, a);
-            for (unsigned int b = 0; b < n; ++b)
+            for (unsigned int b = 0; b <= a; ++b)
               block[a * n + b] += heat * element.N(q, a) * element.N(q, b);
           }
       },
@@ -133,7 +137,7 @@ namespace asperity
         const double weight =
           material.conductivity * determinant(F) * element.JxW(q);
         for (unsigned int a = 0; a < n; ++a)
-          for (unsigned int b = 0; b < n; ++b)
+          for (unsigned int b = 0; b <= a; ++b)
             block[a * n + b] += weight * (g[a] * g[b]);
       },
       conductance);

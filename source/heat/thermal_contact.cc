@@ -16,7 +16,7 @@ namespace asperity
   {
     /** Of the exchange, relative; it decides about temperatures, not about the
      *  balance of heat. */
-    constexpr double tolerance = 1e-10;
+    constexpr double tolerance = 1e-8;
 
     /** What the temperature of the tool's surface answers to heat at points. */
     class ToolResponse
@@ -59,15 +59,48 @@ namespace asperity
       Vector                           response;
     };
 
-    /** s = sqrt(h W) at each point. */
-    Vector
-    roots_of_conductance(const InterfaceHeat &interface, const BasisTable &edge)
+    /** The points where heat can go over, and s = sqrt(h W) there. */
+    struct Exchange
     {
-      Vector s(edge.JxW.size());
-      for (unsigned int q = 0; q < s.size(); ++q)
-        s(q) = std::sqrt(interface.conductance[q] * edge.JxW[q]);
-      return s;
-    }
+      std::vector<unsigned int> points;
+      std::vector<double>       x; ///< in the frame of the tool [m]
+      Vector                    s;
+
+      Exchange(const InterfaceHeat &interface, const BasisTable &edge)
+      {
+        for (unsigned int q = 0; q < edge.JxW.size(); ++q)
+          if (interface.conductance[q] > 0.)
+            {
+              points.push_back(q);
+              x.push_back(interface.x[q]);
+            }
+        s.reinit(points.size());
+        for (unsigned int i = 0; i < points.size(); ++i)
+          s(i) =
+            std::sqrt(interface.conductance[points[i]] * edge.JxW[points[i]]);
+      }
+
+      /** Values at all points, to those where heat goes over. */
+      Vector
+      gather(const Vector &values) const
+      {
+        Vector result(points.size());
+        values.extract_subvector_to(points.begin(),
+                                    points.end(),
+                                    result.begin());
+        return result;
+      }
+
+      /** The reverse, zero elsewhere. */
+      Vector
+      spread(const Vector &values, const unsigned int n) const
+      {
+        Vector result(n);
+        for (unsigned int i = 0; i < points.size(); ++i)
+          result(points[i]) = values(i);
+        return result;
+      }
+    };
 
     /** As conjugate gradients see a matrix. */
     template <class Product>
@@ -135,7 +168,7 @@ namespace asperity
     Vector             half_friction(n);
     for (unsigned int q = 0; q < n; ++q)
       half_friction(q) = 0.5 * interface.friction[q] * edge.JxW[q];
-    const Vector s = roots_of_conductance(interface, edge);
+    const Exchange exchange(interface, edge);
 
     // Without exchange.
     Step step;
@@ -157,23 +190,27 @@ namespace asperity
       chip.respond(result);
       return result;
     };
-    const Vector none(remembered.size());
-    const auto   product = [&](const Vector &y) {
+    const ToolResponse tool_there(tool, exchange.x, dt);
+    const Vector       none(remembered.size());
+    const auto         product = [&](const Vector &y) {
       Vector heat = y;
-      heat.scale(s);
-      Vector result = values_at_points(edge, respond(heat));
-      result += tool_response.rise(tool_response.flux(heat), none);
-      result.scale(s);
+      heat.scale(exchange.s);
+      Vector result = exchange.gather(
+        values_at_points(edge, respond(exchange.spread(heat, n))));
+      result += tool_there.rise(tool_there.flux(heat), none);
+      result.scale(exchange.s);
       result += y;
       return result;
     };
     Vector right = chip_rise;
     right -= tool_rise;
-    right.scale(s);
-    Vector y(n);
+    right = exchange.gather(right);
+    right.scale(exchange.s);
+    Vector y(right.size());
     step.iterations = conjugate_gradients(product, right, y);
 
-    y.scale(s);
+    y.scale(exchange.s);
+    y                      = exchange.spread(y, n);
     Vector       from_chip = respond(y);
     const Vector to_tool   = tool_response.flux(y);
     step.chip_change -= from_chip;

@@ -13,6 +13,16 @@ namespace asperity
 {
   using Vector = dealii::Vector<double>;
 
+  namespace
+  {
+    /** Of the equations with an unsymmetric part, relative: far below what a
+     *  step of Newton's method gains, but for the last, which is judged by its
+     *  residual. */
+    constexpr double krylov_tolerance = 1e-4;
+  } // namespace
+
+
+
   Equilibrium::Equilibrium(const unsigned int                       n_dofs,
                            const std::vector<ForceTerm *>          &terms,
                            const dealii::AffineConstraints<double> &constraints,
@@ -175,7 +185,7 @@ namespace asperity
   bool
   Equilibrium::has_tangent() const
   {
-    return is_factorised && dense_part.empty() && unsymmetric.empty();
+    return is_factorised;
   }
 
 
@@ -183,22 +193,16 @@ namespace asperity
   bool
   Equilibrium::solve(Vector &b)
   {
-    const auto apply_inverse = [this](Vector &x, const Vector &r) {
-      x = r;
+    const auto apply_inverse = [this](Vector &x) {
       solver->solve(x);
       dense_part.correct(x);
     };
     if (unsymmetric.empty())
       {
-        const Vector r = b;
-        apply_inverse(b, r);
+        apply_inverse(b);
         return true;
       }
-    const auto apply = [this](Vector &y, const Vector &x) {
-      matrix.vmult(y, x);
-      dense_part.vmult_add(y, x);
-    };
-    return unsymmetric.solve(apply, apply_inverse, constraints, b) ||
+    return unsymmetric.solve(apply_inverse, constraints, krylov_tolerance, b) ||
            solve_with_fallback(b);
   }
 

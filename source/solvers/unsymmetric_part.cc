@@ -1,29 +1,29 @@
 #include <asperity/solvers/finite.h>
 #include <asperity/solvers/unsymmetric_part.h>
 
+#include <deal.II/lac/precondition.h>
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/solver_gmres.h>
 
 namespace asperity
 {
+  using Vector = dealii::Vector<double>;
+
   namespace
   {
-    /** Residual over the right-hand side: far below what Newton's method gains
-     *  in a step. */
-    constexpr double tolerance = 1e-8;
-
     /** Beyond it a factorisation is cheaper. */
     constexpr unsigned int maximum_iterations = 60;
 
-    /** An action in the words of deal.II's solvers. */
+    /** A product in the words of deal.II's solvers. */
+    template <class Product>
     struct Operator
     {
-      const UnsymmetricPart::Action &action;
+      const Product &product;
 
       void
-      vmult(dealii::Vector<double> &y, const dealii::Vector<double> &x) const
+      vmult(Vector &y, const Vector &x) const
       {
-        action(y, x);
+        product(y, x);
       }
     };
   } // namespace
@@ -33,8 +33,7 @@ namespace asperity
   void
   UnsymmetricPart::clear()
   {
-    matrices.clear();
-    factor = 1.;
+    entries.clear();
   }
 
 
@@ -42,7 +41,11 @@ namespace asperity
   void
   UnsymmetricPart::add(const dealii::SparseMatrix<double> &matrix)
   {
-    matrices.push_back(&matrix);
+    for (auto entry = matrix.begin(); entry != matrix.end(); ++entry)
+      if (entry->value() != 0.)
+        entries.push_back({static_cast<unsigned int>(entry->row()),
+                           static_cast<unsigned int>(entry->column()),
+                           entry->value()});
   }
 
 
@@ -50,15 +53,16 @@ namespace asperity
   bool
   UnsymmetricPart::empty() const
   {
-    return matrices.empty();
+    return entries.empty();
   }
 
 
 
   void
-  UnsymmetricPart::scale(const double new_factor)
+  UnsymmetricPart::scale(const double factor)
   {
-    factor *= new_factor;
+    for (Entry &entry : entries)
+      entry.value *= factor;
   }
 
 
@@ -66,12 +70,8 @@ namespace asperity
   void
   UnsymmetricPart::vmult_add(Vector &y, const Vector &x) const
   {
-    Vector product(x.size());
-    for (const auto *matrix : matrices)
-      {
-        matrix->vmult(product, x);
-        y.add(factor, product);
-      }
+    for (const Entry &entry : entries)
+      y(entry.row) += entry.value * x(entry.column);
   }
 
 
@@ -81,52 +81,53 @@ namespace asperity
     dealii::SparseMatrix<double>            &sum,
     const dealii::AffineConstraints<double> &constraints) const
   {
-    for (const auto *matrix : matrices)
-      for (auto entry = matrix->begin(); entry != matrix->end(); ++entry)
-        if (entry->value() != 0. && !constraints.is_constrained(entry->row()) &&
-            !constraints.is_constrained(entry->column()))
-          sum.add(entry->row(), entry->column(), factor * entry->value());
+    for (const Entry &entry : entries)
+      if (!constraints.is_constrained(entry.row) &&
+          !constraints.is_constrained(entry.column))
+        sum.add(entry.row, entry.column, entry.value);
   }
 
 
 
   bool
-  UnsymmetricPart::solve(const Action                            &K,
-                         const Action                            &K_inverse,
+  UnsymmetricPart::solve(const Action                            &K_inverse,
                          const dealii::AffineConstraints<double> &constraints,
+                         const double                             tolerance,
                          Vector                                  &b) const
   {
-    const Action sum = [&](Vector &y, const Vector &x) {
+    Vector     x(b.size());
+    const auto product = [&](Vector &y, const Vector &z) {
+      x = z;
+      K_inverse(x);
       y = 0.;
       vmult_add(y, x);
       constraints.set_zero(y);
-      Vector product(x.size());
-      K(product, x);
-      y += product;
+      y += z;
     };
-    dealii::SolverControl control(maximum_iterations,
-                                  tolerance * b.l2_norm(),
-                                  false,
-                                  false);
-    using GMRES = dealii::SolverGMRES<Vector>;
-    GMRES  gmres(control, GMRES::AdditionalData(maximum_iterations + 2, true));
-    Vector x(b.size());
+    const double          goal = tolerance * b.l2_norm();
+    dealii::SolverControl control(maximum_iterations, goal, false, false);
+    Vector                z(b.size());
     try
       {
-        gmres.solve(Operator{sum}, x, b, Operator{K_inverse});
+        dealii::SolverGMRES<Vector>(control,
+                                    dealii::SolverGMRES<Vector>::AdditionalData(
+                                      maximum_iterations + 2))
+          .solve(Operator<decltype(product)>{product},
+                 z,
+                 b,
+                 dealii::PreconditionIdentity());
       }
     catch (const dealii::SolverControl::NoConvergence &)
       {
         return false;
       }
     // Where the sum is singular GMRES believes in what it does not reach.
-    if (!is_finite(x))
+    if (!is_finite(z))
       return false;
-    Vector residual(x.size());
-    sum(residual, x);
+    Vector residual(b.size());
+    product(residual, z); // and x = K^-1 z
     residual -= b;
-    if (!is_finite(residual) ||
-        residual.l2_norm() > 100. * tolerance * b.l2_norm())
+    if (!is_finite(residual) || residual.l2_norm() > 100. * goal)
       return false;
     b.swap(x);
     return true;

@@ -58,12 +58,9 @@ namespace
     {
       const auto solver = make_direct_solver(DirectSolverKind::cholmod);
       EXPECT_TRUE(solver->factorize(K));
-      return part.solve([&](Vector &y, const Vector &x) { K.vmult(y, x); },
-                        [&](Vector &y, const Vector &x) {
-                          y = x;
-                          solver->solve(y);
-                        },
+      return part.solve([&](Vector &x) { solver->solve(x); },
                         dealii::AffineConstraints<double>(),
+                        1e-10,
                         b);
     }
 
@@ -77,7 +74,7 @@ namespace
   {
     ASSERT_TRUE(solve(rhs));
     rhs -= exact;
-    EXPECT_LT(rhs.linfty_norm(), 1e-6);
+    EXPECT_LT(rhs.linfty_norm(), 1e-8);
   }
 
   TEST_F(UnsymmetricSystem, becomes_one_matrix_but_for_constrained_components)
@@ -100,6 +97,9 @@ namespace
     // K + U is singular: row 12 of it is zero.
     for (unsigned int j = 9; j < 16; ++j)
       U.set(12, j, -2. * K.el(12, j));
+    part.clear();
+    part.add(U);
+    part.scale(0.5);
     const Vector before = rhs;
     EXPECT_FALSE(solve(rhs));
     EXPECT_EQ(rhs, before);

@@ -12,9 +12,10 @@ namespace asperity
 {
   /**
    * Solves (K + U) x = b where K is symmetric and has a factorisation, and U is
-   * neither: by GMRES, preconditioned by K from the right. It pays where U
-   * couples few unknowns, as the shear of a contact, since a Cholesky
-   * factorisation costs a third of one without symmetry.
+   * neither: by GMRES, preconditioned by K from the right, so that K itself is
+   * never applied: (1 + U K^-1) z = b, x = K^-1 z. It pays where U couples few
+   * unknowns, as the shear of a contact, since a Cholesky factorisation costs a
+   * third of one without symmetry.
    */
   class UnsymmetricPart
   {
@@ -25,14 +26,14 @@ namespace asperity
     void
     clear();
 
-    /** Adds a matrix, which must outlive its use. */
+    /** Adds the entries that a matrix has now. */
     void
     add(const dealii::SparseMatrix<double> &matrix);
 
     bool
     empty() const;
 
-    /** Multiplies all matrices. */
+    /** Multiplies all entries. */
     void
     scale(const double factor);
 
@@ -46,25 +47,30 @@ namespace asperity
     add_to(dealii::SparseMatrix<double>            &matrix,
            const dealii::AffineConstraints<double> &constraints) const;
 
-    /** How a matrix without U acts: destination, source. */
-    using Action = std::function<void(Vector &, const Vector &)>;
+    /** How K^-1 acts: replaces a vector. */
+    using Action = std::function<void(Vector &)>;
 
     /**
-     * @param K, K_inverse the matrix and its factorisation
+     * @param K_inverse by the factorisation of K
      * @param b right-hand side, zero at constrained components; becomes the
      *   solution
+     * @param tolerance of the residual, over the norm of b
      * @return false if the iteration did not converge; b is then as it was
      */
     bool
-    solve(const Action                            &K,
-          const Action                            &K_inverse,
+    solve(const Action                            &K_inverse,
           const dealii::AffineConstraints<double> &constraints,
+          const double                             tolerance,
           Vector                                  &b) const;
 
   private:
-    std::vector<const dealii::SparseMatrix<double> *> matrices;
+    struct Entry
+    {
+      unsigned int row, column;
+      double       value;
+    };
 
-    double factor = 1.;
+    std::vector<Entry> entries; ///< those that are not zero
   };
 } // namespace asperity
 
