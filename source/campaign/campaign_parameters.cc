@@ -163,6 +163,11 @@ namespace asperity
                         "1/s",
                         Range::positive(),
                         "Strain rate at which k is taken.");
+    parameters.file("Sensitivity file",
+                    sensitivity,
+                    "The sensitivity.json that `asperity sensitivity` has made "
+                    "of the base scene: the law says how far the choices that "
+                    "were varied there may move it.");
   }
 
 

@@ -2,6 +2,7 @@
 #include <asperity/base/text.h>
 #include <asperity/base/version.h>
 #include <asperity/campaign/campaign_results.h>
+#include <asperity/campaign/scene_sensitivity.h>
 
 #include <algorithm>
 
@@ -46,6 +47,8 @@ namespace asperity
     const std::string &path = parameters.design.test_table;
     if (!path.empty())
       further_tests = read_tests(path, table_);
+    if (!parameters.law.sensitivity.empty())
+      choices = read_spreads(parameters.law.sensitivity);
   }
 
 
@@ -280,6 +283,7 @@ namespace asperity
     description.pressure_over_strength =
       parameters.law.pressure_scale == PressureScale::over_strength;
     description.mechanisms = mechanisms_;
+    description.choices    = choices;
 
     nlohmann::ordered_json &provenance = description.provenance;
     provenance["program"]              = version_json();

@@ -1,7 +1,9 @@
 #include <asperity/base/atomic_file.h>
 #include <asperity/base/errors.h>
+#include <asperity/base/json_file.h>
 #include <asperity/base/mpi_session.h>
 #include <asperity/base/quantity.h>
+#include <asperity/base/text.h>
 #include <asperity/base/version.h>
 #include <asperity/campaign/scene_sensitivity.h>
 #include <asperity/postprocess/summary.h>
@@ -260,5 +262,37 @@ namespace asperity
           out << '\n';
         }
     });
+  }
+
+
+
+  std::vector<ChoiceSpread>
+  read_spreads(const std::string &path)
+  {
+    const auto document = read_json(path, "a table of `asperity sensitivity`");
+    std::vector<ChoiceSpread> result;
+    for (const ChoiceKind kind : all_kinds)
+      {
+        ChoiceSpread choice{name(kind)};
+        for (const auto &[side, share] :
+             {std::make_pair("below", &choice.below),
+              std::make_pair("above", &choice.above)})
+          {
+            const nlohmann::ordered_json::json_pointer place(
+              "/spread/" + choice.kind + "/" + side);
+            if (!document.contains(place) || !document[place].is_number() ||
+                !(document[place].get<double>() >= 0.))
+              throw InputError(path +
+                               ": no number that is not negative stands "
+                               "at " +
+                               quoted(place.to_string()) +
+                               "; expected the sensitivity.json that 'asperity "
+                               "sensitivity' writes.");
+            *share = document[place];
+          }
+        if (choice.below + choice.above > 0.)
+          result.push_back(choice);
+      }
+    return result;
   }
 } // namespace asperity

@@ -113,6 +113,28 @@ namespace asperity
              percent(law.topography_scatter);
     }
 
+    /** What is known of choices that a user makes by hand; a line, or nothing.
+     */
+    std::string
+    choices_line(const FrictionLawDescription &law, const LawPrediction &at)
+    {
+      if (law.choices.empty())
+        return "";
+      double                   below = 0., above = 0.;
+      std::vector<std::string> kinds;
+      for (const ChoiceSpread &choice : law.choices)
+        {
+          below = std::hypot(below, choice.below);
+          above = std::hypot(above, choice.above);
+          kinds.push_back(choice.kind + " -" + percent(choice.below, 3) +
+                          " to +" + percent(choice.above, 3));
+        }
+      return "choices by hand, as shares found in one scene: " +
+             format_quantity(at.mean * std::max(0., 1. - below), "1", 5) +
+             " to " + format_quantity(at.mean * (1. + above), "1", 5) + " (" +
+             join(kinds, ", ") + ")\n";
+    }
+
     void
     print_derivatives(const FrictionLawDescription &law,
                       const LawPrediction          &at)
@@ -258,7 +280,8 @@ namespace asperity
               << (law.fitted() == nullptr ?
                     surface_line(description, at) :
                     to_string(law.fitted()->law(), description.inputs[0].unit))
-              << "\n";
+              << "\n"
+              << choices_line(description, at);
     print_derivatives(description, at);
     print_shear(description, point, at);
     return 0;

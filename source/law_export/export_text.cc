@@ -120,6 +120,12 @@ namespace asperity
                        "surface may be off by " +
                        percent(d.topography_error) +
                        " (95 %), which is not part of sigma.");
+    for (const ChoiceSpread &choice : d.choices)
+      append_wrapped(lines,
+                     "Choices by hand (" + choice.kind + ") may move it by -" +
+                       percent(choice.below, 3) + " to +" +
+                       percent(choice.above, 3) +
+                       ", found in one scene and not part of sigma.");
     append_wrapped(lines, "Ranges of the training data:");
     for (unsigned int c = 0; c < ContactPointLaw::n_coordinates; ++c)
       if (const LawInput *const input = law.input(c))

@@ -15,7 +15,11 @@ namespace asperity
   StiffnessScatter::find(const dealii::SparsityPattern                &pattern,
                          const std::vector<std::vector<unsigned int>> &dofs)
   {
-    if (fits(pattern, dofs))
+    const bool is_last =
+      &pattern == last && pattern.n_nonzero_elements() == last_size;
+    last      = &pattern;
+    last_size = pattern.n_nonzero_elements();
+    if (fits(pattern, dofs, is_last ? 1 : dofs.size()))
       return;
     entries.resize(dofs.size());
     for (std::size_t e = 0; e < dofs.size(); ++e)
@@ -31,13 +35,13 @@ namespace asperity
 
 
   bool
-  StiffnessScatter::fits(
-    const dealii::SparsityPattern                &pattern,
-    const std::vector<std::vector<unsigned int>> &dofs) const
+  StiffnessScatter::fits(const dealii::SparsityPattern                &pattern,
+                         const std::vector<std::vector<unsigned int>> &dofs,
+                         const std::size_t n_elements) const
   {
     if (entries.size() != dofs.size())
       return false;
-    for (std::size_t e = 0; e < dofs.size(); ++e)
+    for (std::size_t e = 0; e < n_elements; ++e)
       {
         // First row, last function; last row, first function.
         const std::size_t n = dofs[e].size() / 2;

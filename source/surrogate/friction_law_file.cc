@@ -8,6 +8,7 @@
 
 #include "law_checksum.h"
 #include "law_document.h"
+#include "law_parts.h"
 
 namespace asperity
 {
@@ -16,11 +17,12 @@ namespace asperity
     using Json = nlohmann::ordered_json;
 
     const char *const format_name    = "asperity friction law";
-    constexpr int     format_version = 6;
+    constexpr int     format_version = 7;
 
     /** Without checksum, mechanisms, references of inputs and `softens`;
      *  version 4 has no `model`, since all are Gaussian processes; version 5
-     *  no hardening of the shear limit and no pressure over it. */
+     *  no hardening of the shear limit and no pressure over it, version 6 no
+     *  choices. */
     constexpr int oldest_version = 3;
 
     const char *const of_process = "Gaussian process";
@@ -47,51 +49,6 @@ namespace asperity
             !reference.content().is_null())
           input.reference = reference.number();
       return input;
-    }
-
-    ShearLimit
-    read_shear_limit(const LawNode &node, const int version)
-    {
-      ShearLimit limit;
-      limit.k_0      = node.child("k_0").number_above(0., true);
-      limit.exponent = node.child("exponent").number_above(0., false);
-      limit.transition_temperature =
-        node.child("transition_temperature").number();
-      limit.melting_temperature = node.child("melting_temperature").number();
-      limit.strain              = node.child("strain").number();
-      limit.rate                = node.child("rate").number();
-      if (version > 3)
-        limit.softens = node.child("softens").flag();
-      if (version > 5)
-        {
-          const LawNode hardening = node.child("hardening");
-          limit.hardening_ratio =
-            hardening.child("ratio").number_above(0., true);
-          limit.hardening_exponent =
-            hardening.child("exponent").number_above(0., false);
-          limit.strain_limit =
-            hardening.child("strain_limit").number_above(0., false);
-        }
-      if (limit.k_0 > 0. && limit.softens &&
-          !(limit.transition_temperature < limit.melting_temperature))
-        node.child("melting_temperature").fail("more than the transition's");
-      return limit;
-    }
-
-    Json
-    shear_limit_to_json(const ShearLimit &limit)
-    {
-      return {{"k_0", limit.k_0},
-              {"exponent", limit.exponent},
-              {"transition_temperature", limit.transition_temperature},
-              {"melting_temperature", limit.melting_temperature},
-              {"strain", limit.strain},
-              {"rate", limit.rate},
-              {"softens", limit.softens},
-              {"hardening",
-               {{"ratio", limit.hardening_ratio},
-                {"exponent", limit.hardening_exponent},
-                {"strain_limit", limit.strain_limit}}}};
     }
 
     FrictionLawDescription
@@ -126,6 +83,8 @@ namespace asperity
       if (version > 3)
         for (const LawNode &node : law.child("mechanisms").children())
           result.mechanisms.push_back(node.name());
+      if (version > 6)
+        result.choices = read_choices(law.child("choices"));
       for (const LawNode &node : law.child("warnings").children())
         result.warnings.push_back(node.text());
       result.provenance = law.child("provenance").content();
@@ -301,6 +260,7 @@ namespace asperity
     law["shear_limit"] = shear_limit_to_json(description_.shear_limit);
     law["pressure_over_strength"] = description_.pressure_over_strength;
     law["mechanisms"]             = description_.mechanisms;
+    law["choices"]                = choices_to_json(description_.choices);
     law["warnings"]               = description_.warnings;
     law["provenance"]             = description_.provenance;
 

@@ -249,3 +249,39 @@ TEST_F(SceneSensitivityTest, indices_blame_what_counts)
     compute_indices(path, {range("Mesh/Spans", "1", "no", "no")}, 12, {}),
     InputError);
 }
+
+// What laws are told of it, see Friction law/Sensitivity file.
+TEST_F(SceneSensitivityTest, writes_spreads_that_are_read_again)
+{
+  SceneSensitivity s;
+  s.mu      = 0.5;
+  s.results = {
+    {{"Geometry/Chip height", "40 um", ChoiceKind::scene}, 0.6, ""},
+    {{"Tool/Topography/Profile length", "1 um", ChoiceKind::preparation},
+     0.4,
+     ""}};
+  const std::string folder = test_folder() + "/spreads";
+  write_sensitivity(s, {}, folder);
+  const auto choices = read_spreads(folder + "/sensitivity.json");
+  ASSERT_EQ(choices.size(), 2u);
+  EXPECT_EQ(choices[0].kind, "preparation");
+  EXPECT_NEAR(choices[0].below, 0.2, 1e-12);
+  EXPECT_EQ(choices[0].above, 0.);
+  EXPECT_EQ(choices[1].kind, "scene");
+  EXPECT_NEAR(choices[1].above, 0.2, 1e-12);
+
+  overwrite(path, R"({"spread": {"preparation": {"below": -1, "above": 0}}})");
+  try
+    {
+      read_spreads(path);
+      FAIL();
+    }
+  catch (const InputError &error)
+    {
+      EXPECT_EQ(std::string(error.what()),
+                path + ": no number that is not negative stands at "
+                       "'/spread/preparation/below'; expected the "
+                       "sensitivity.json that 'asperity sensitivity' writes.");
+    }
+  EXPECT_THROW(read_spreads(path + ".missing"), InputError);
+}

@@ -155,6 +155,30 @@ TEST_F(FrictionLaws, predict_says_which_mechanisms_are_in_mu)
     }
 }
 
+// Independent choices add by their squares: 0.3 and 0.4 are 0.5.
+TEST_F(FrictionLaws, say_how_far_choices_by_hand_may_move_mu)
+{
+  const std::string point = "-p 450MPa -v 90m/min -T 300degC";
+  EXPECT_EQ(predict(point).find("choices by hand"), std::string::npos);
+  const FrictionLaw      plain       = law(false);
+  FrictionLawDescription description = plain.description();
+  description.choices = {{"preparation", 0.3, 0.5}, {"profile", 0.4, 1.2}};
+  FrictionLaw::train(description, plain.data().x, plain.data().y)
+    .save((folder / "law.json").string());
+  const std::string text = predict(point);
+  const double      mu   = number_behind(text, "mu = ");
+  EXPECT_NEAR(number_behind(text, "found in one scene: "), 0.5 * mu, 1e-5);
+  EXPECT_NE(text.find("(preparation -30 % to +50 %, profile -40 % to +120 %)"),
+            std::string::npos)
+    << text;
+  const std::string line = text.substr(text.find("found in one scene: "));
+  EXPECT_NEAR(number_behind(line, " to "), 2.3 * mu, 2e-5);
+
+  ASSERT_EQ(run("export law.json laws").status, 0);
+  EXPECT_NE(read("laws/abaqus_friction.inp").find("Choices by hand (profile)"),
+            std::string::npos);
+}
+
 TEST_F(FrictionLaws, predict_says_why_a_point_is_not_trusted)
 {
   const std::string text = predict("-p 1.5GPa -v 90m/min -T 1000degC");

@@ -204,7 +204,7 @@ TEST_F(Restart, with_other_inputs_is_refused_and_touches_nothing)
          {"Material",
           "Density = 7000 kg/m3",
           "was 7800 kg/m3 and is 7000 kg/m3"},
-         {"Solver", "Tolerance = 1e-4", "was 1e-05 and is 0.0001"}})
+         {"Solver", "Tolerance = 1e-5", "was 0.0001 and is 1e-05"}})
     {
       write("second.prm",
             scene("run",

@@ -261,6 +261,7 @@ TEST(InterfaceOfScene, junctions_grow_with_their_shear_as_slip_lines_say)
 {
   SceneParameters parameters;
   parameters.geometry.initial_gap       = 0.;
+  parameters.mesh.strip                 = 0.3e-6; // slip lines reach deeper
   parameters.tool.wave_numbers          = {1.};
   parameters.tool.amplitudes            = {0.25e-6};
   parameters.tool.phases                = {0.};

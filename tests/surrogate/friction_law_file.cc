@@ -29,6 +29,7 @@ namespace
     description.provenance["files"] = {"surface.sdf", "scene.prm"};
     description.mechanisms          = {"ploughing", "oil"};
     description.inputs[1].reference = 1.25;
+    description.choices = {{"preparation", 0.25, 1. / 3.}, {"scene", 0., 0.1}};
     std::vector<double> x, y, known;
     for (std::size_t j = 0; j < 20; ++j)
       {
@@ -125,7 +126,24 @@ TEST(FrictionLawFile, predicts_the_same_bits_after_a_round_trip)
       EXPECT_EQ(description.mechanisms, law.description().mechanisms);
       EXPECT_FALSE(description.inputs[0].reference);
       EXPECT_EQ(description.inputs[1].reference, 1.25);
+      ASSERT_EQ(description.choices.size(), 2u);
+      EXPECT_EQ(description.choices[0].kind, "preparation");
+      EXPECT_EQ(description.choices[0].below, 0.25);
+      EXPECT_EQ(description.choices[0].above, 1. / 3.);
+      EXPECT_EQ(description.choices[1].kind, "scene");
     }
+}
+
+
+
+TEST(FrictionLawFile, of_version_6_has_no_choices)
+{
+  Json document       = good_document();
+  document["version"] = 6;
+  document.erase("choices");
+  document["checksum"] = law_checksum(document);
+  EXPECT_TRUE(
+    FrictionLaw::from_json(document, "law.json").description().choices.empty());
 }
 
 
@@ -135,7 +153,7 @@ TEST(FrictionLawFile, every_entry_is_needed)
   std::vector<std::string> pointers;
   collect_pointers(good_document(), "", pointers);
   collect_pointers(good_document()["inputs"][1], "/inputs/1", pointers);
-  EXPECT_EQ(pointers.size(), 49u);
+  EXPECT_EQ(pointers.size(), 50u);
   for (const std::string &pointer : pointers)
     {
       Json       document = good_document();
@@ -161,7 +179,7 @@ TEST(FrictionLawFile, wrong_entries_are_named)
                     law = "' of the friction law is ";
   EXPECT_EQ(message_with("/version", 1),
             by + "'version" + law +
-              "1; 3 to 6, which this program reads, is expected.");
+              "1; 3 to 7, which this program reads, is expected.");
   EXPECT_EQ(message_with("/kernel", "cubic"),
             by + "'kernel" + law +
               "\"cubic\"; 'rbf' or 'matern_3_2' or 'matern_5_2' is expected.");

@@ -89,7 +89,7 @@ def convergence(arguments):
         "default": {},
         "80 spans": {"Mesh/Spans": 80, "Mesh/Refinement levels": 2},
         "320 spans": {"Mesh/Spans": 320, "Mesh/Refinement levels": 4},
-        "strip 0.6 um": {"Mesh/Strip depth": "0.6 um"},
+        "strip 0.3 um": {"Mesh/Strip depth": "0.3 um"},
         "degree 3": {"Mesh/Degree": 3},
         "12 + 48 steps": {"Protocol/Ramp steps": 12,
                           "Protocol/Slide steps": 48},
@@ -100,6 +100,7 @@ def convergence(arguments):
         "Gauss-point contact": {"Contact/Formulation": "gauss-point"},
         "3 x 3 Gauss points": {"Mesh/Quadrature points": 3},
         "tolerance 1e-6": {"Solver/Tolerance": 1e-6},
+        "tolerance 1e-3": {"Solver/Tolerance": 1e-3},
     }
     points = []
     for name, entries in variants.items():

@@ -282,6 +282,7 @@ def mesh(arguments):
     variants = {"default": {},
                 "80 spans": {"Mesh/Spans": 80, "Mesh/Refinement levels": 2},
                 "320 spans": {"Mesh/Spans": 320, "Mesh/Refinement levels": 4},
+                "640 spans": {"Mesh/Spans": 640, "Mesh/Refinement levels": 5},
                 "48 + 192 steps": {"Protocol/Ramp steps": 48,
                                    "Protocol/Slide steps": 192}}
     for m in (0.5, 0.8, 0.99):

@@ -82,6 +82,9 @@ namespace asperity
     double shear_strain = 1.;
     double shear_rate   = 1e6; ///< [1/s]
 
+    /** sensitivity.json of the base scene, or empty. */
+    std::string sensitivity;
+
     void
     declare(ParameterDeclarator &parameters);
   };

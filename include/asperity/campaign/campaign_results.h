@@ -95,6 +95,7 @@ namespace asperity
     const CampaignPlan       &plan;
     SampleTable               table_;
     SampleData                further_tests; ///< of the test table
+    std::vector<ChoiceSpread> choices;       ///< of the sensitivity file
     double                    seconds_ = 0.;
     ShearLimit                shear_limit;
 

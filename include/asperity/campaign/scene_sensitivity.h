@@ -3,6 +3,7 @@
 
 #include <asperity/campaign/run_record.h>
 #include <asperity/contact_zone/scene_input.h>
+#include <asperity/surrogate/friction_law.h>
 
 #include <nlohmann/json.hpp>
 
@@ -117,6 +118,12 @@ namespace asperity
   write_sensitivity(const SceneSensitivity       &sensitivity,
                     const nlohmann::ordered_json &indices,
                     const std::string            &directory);
+
+  /** The spreads of all kinds of choices in a sensitivity.json, but for kinds
+   *  that have none.
+   *  @throws InputError if the file is missing or something else */
+  std::vector<ChoiceSpread>
+  read_spreads(const std::string &path);
 } // namespace asperity
 
 #endif

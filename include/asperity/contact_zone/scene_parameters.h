@@ -89,7 +89,7 @@ namespace asperity
     unsigned int degree     = 2;
     unsigned int spans      = 160;
     unsigned int refinement = 3;
-    double       strip      = 0.3e-6; ///< depth of the finest cells [m]
+    double       strip      = 0.1e-6; ///< depth of the finest cells [m]
     double       grading    = 1.5;    ///< growth of rows with depth
     unsigned int quadrature = 0;      ///< Gauss points; 0: the degree
 
@@ -211,7 +211,7 @@ namespace asperity
 
   struct SolverParameters
   {
-    double           tolerance          = 1e-5; ///< of p L
+    double           tolerance          = 1e-4; ///< of p L
     unsigned int     maximum_iterations = 20;
     unsigned int     maximum_cuts       = 8;
     DirectSolverKind linear_solver      = DirectSolverKind::cholmod;

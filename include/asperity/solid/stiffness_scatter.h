@@ -18,7 +18,8 @@ namespace asperity
   {
   public:
     /** Finds the entries of all elements, unless corners of the stiffnesses
-     *  stand where they were found last: then the pattern is the same.
+     *  stand where they were found last: then the pattern is the same. In the
+     *  place and of the size of the last one, the first element decides.
      *  @param dofs unknowns of each element, [2 a + component], those of a
      *   function one after the other and in rising order */
     void
@@ -33,12 +34,16 @@ namespace asperity
   private:
     bool
     fits(const dealii::SparsityPattern                &pattern,
-         const std::vector<std::vector<unsigned int>> &dofs) const;
+         const std::vector<std::vector<unsigned int>> &dofs,
+         const std::size_t                             n_elements) const;
 
     /** Of each element, for each of its rows [2 a + i], among all entries:
      *  where those of b = 0, 1, ... begin, of which the second follows the
      *  first; for b = a, where the diagonal is elsewhere, both. */
     std::vector<std::vector<unsigned int>> entries;
+
+    const dealii::SparsityPattern *last      = nullptr; ///< only to compare
+    std::size_t                    last_size = 0;
   };
 } // namespace asperity
 

@@ -36,6 +36,14 @@ namespace asperity
     bool trusted = false;
   };
 
+  /** How far choices of one kind, which a user makes by hand or does not know
+   *  better, may move the output, as shares of it. */
+  struct ChoiceSpread
+  {
+    std::string kind; ///< "preparation", "profile", "scene", "constants"
+    double      below = 0., above = 0.; ///< not negative
+  };
+
   /** All that makes a law, before it is trained. */
   struct FrictionLawDescription
   {
@@ -73,6 +81,10 @@ namespace asperity
 
     /** Whether the process sees p / k instead of p, see LawCoordinates. */
     bool pressure_over_strength = false;
+
+    /** Found by varying one scene, see Friction law/Sensitivity file; taken to
+     *  be the same shares everywhere. Empty: not known. */
+    std::vector<ChoiceSpread> choices;
 
     /** What makes the friction, see mechanisms_sentence(); empty: not known. */
     std::vector<std::string> mechanisms;
