@@ -28,11 +28,26 @@ namespace
 
 
 
+  /** A solid that tells its tangent at rest only: from the second step on its
+   *  impedance is known by secants. */
+  class SilentPiston : public Piston
+  {
+  public:
+    bool
+    compliance(const Vector &force, Vector &displacement) override
+    {
+      return time == 0. && Piston::compliance(force, displacement);
+    }
+  };
+
+
+
   /** Twenty steps of a driven piston with Z_s = 1. */
+  template <typename Solid = Piston>
   Outcome
   run(const CouplingParameters &parameters, const double Z_f)
   {
-    Piston  solid;
+    Solid   solid;
     Chamber fluid;
     solid.mass   = 0.5;
     solid.spring = 0.5;
@@ -84,12 +99,12 @@ namespace
           parameters.tolerance          = 1e-6;
           parameters.maximum_iterations = 100;
           const auto write              = [&](const std::string &condition,
-                                 const double       alpha) {
-            const Outcome o = run(parameters, Z_f);
-            const double  q =
+                                 const double       alpha,
+                                 const Outcome     &o) {
+            const double q =
               std::isfinite(alpha) && std::isfinite(Z_f) ?
-                              Z_f * std::abs(1. - alpha) / (Z_f + alpha) :
-                              (std::isfinite(alpha) ? std::abs(1. - alpha) : Z_f);
+                             Z_f * std::abs(1. - alpha) / (Z_f + alpha) :
+                             (std::isfinite(alpha) ? std::abs(1. - alpha) : Z_f);
             table << name << ',' << condition << ',' << alpha << ',' << Z_f
                   << ',' << o.converged << ',' << o.iterations << ','
                   << o.maximum << ',' << o.contraction << ',' << q << '\n';
@@ -97,12 +112,15 @@ namespace
           for (int k = -12; k <= 12; ++k)
             {
               parameters.robin_coefficient = std::pow(10., k / 4.);
-              write("robin", *parameters.robin_coefficient);
+              write("robin",
+                    *parameters.robin_coefficient,
+                    run(parameters, Z_f));
             }
           parameters.robin_coefficient.reset();
-          write("automatic", 1.);
+          write("automatic", 1., run(parameters, Z_f));
+          write("secant", 1., run<SilentPiston>(parameters, Z_f));
           parameters.scheme = CouplingScheme::dirichlet_neumann;
-          write("dirichlet", infinity);
+          write("dirichlet", infinity, run(parameters, Z_f));
         }
   }
 } // namespace

@@ -8,12 +8,12 @@ Reads DIRECTORY/coupling_map.csv and writes robin_neumann_map.png beside it.
 
 import csv
 import math
+import os
 import sys
 
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
-from matplotlib.colors import LogNorm
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from chart_drawing.coupling import draw_map  # noqa: E402
+from chart_drawing.style import plt  # noqa: E402
 
 METHODS = ("plain", "Aitken", "IQN-ILS")
 
@@ -23,51 +23,14 @@ def read(path):
         return list(csv.DictReader(file))
 
 
-def columns(rows):
-    alphas = sorted({float(r["alpha"]) for r in rows
-                     if r["condition"] == "robin"})
-    return ([("robin", a) for a in alphas]
-            + [("automatic", None), ("dirichlet", None)])
-
-
-def draw_panel(axis, rows, method):
-    rows = [r for r in rows if r["method"] == method]
-    impedances = sorted({float(r["Z_f"]) for r in rows})
-    names = columns(rows)
-    image = [[math.nan] * len(names) for _ in impedances]
-    for r in rows:
-        key = ((r["condition"], float(r["alpha"]))
-               if r["condition"] == "robin" else (r["condition"], None))
-        row, column = impedances.index(float(r["Z_f"])), names.index(key)
-        if r["converged"] == "1":
-            image[row][column] = float(r["iterations"])
-        else:
-            axis.text(column, row, "x", ha="center", va="center",
-                      color="tab:red", fontsize=8)
-    picture = axis.imshow(image, origin="lower", aspect="auto",
-                          cmap="viridis_r", norm=LogNorm(1, 100))
-    ticks = [i for i, (condition, a) in enumerate(names) if condition == "robin"
-             and round(4 * math.log10(a)) in range(-12, 12, 4)]
-    axis.set_xticks(ticks + [len(names) - 2, len(names) - 1])
-    axis.set_xticklabels([f"{names[i][1]:g}" for i in ticks] + ["auto", "D-N"],
-                         rotation=90)
-    axis.set_yticks(range(len(impedances)))
-    axis.set_yticklabels(["sealed" if math.isinf(z) else f"{z:g}"
-                          for z in impedances])
-    axis.axvline(len(names) - 2.5, color="black", linewidth=0.8)
-    axis.set_xlabel("alpha / Z_s")
-    axis.set_title(method)
-    return picture
-
-
 def draw(rows, folder):
-    figure, axes = plt.subplots(1, 3, figsize=(13, 4.2), sharey=True)
+    figure, axes = plt.subplots(1, 3, figsize=(13, 4.2), sharey=True,
+                                layout="constrained")
     for axis, method in zip(axes, METHODS):
-        picture = draw_panel(axis, rows, method)
-    axes[0].set_ylabel("Z_f / Z_s")
+        picture = draw_map(axis, [r for r in rows if r["method"] == method])
+        axis.set_title(method, pad=26)
     figure.colorbar(picture, ax=axes, label="iterations a step (x: none)")
-    figure.savefig(f"{folder}/robin_neumann_map.png", dpi=110,
-                   bbox_inches="tight")
+    figure.savefig(f"{folder}/robin_neumann_map.png", dpi=110)
 
 
 def print_tables(rows):
