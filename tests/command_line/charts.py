@@ -5,17 +5,22 @@
 
 Draws one chart, some of whose runs fail; draws it again, when no run may be made
 twice; again after one run's record is gone; and reads the sentences about a chart
-and programs that do not exist. Exit status 77 (skipped) without matplotlib.
+and programs that do not exist. Then it draws every chart without a program from the
+tables of parameter_files/charts, whose pages must say what the tables do, and again
+with a run that failed. Exit status 77 (skipped) without matplotlib.
 """
 
 import csv
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
 
-CHARTS = pathlib.Path(__file__).resolve().parents[2] / "tools" / "charts"
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+CHARTS = ROOT / "tools" / "charts"
+RESULTS = ROOT / "parameter_files" / "charts"
 CHART = "3_time_steps"
 
 # Counts its runs, refuses those of 48 steps, and makes the others tiny.
@@ -97,10 +102,63 @@ class Test:
         page = (chart / "README.md").read_text()
         expect("- dynamic, 12 + 48 steps: Refused." in page,
                "the page lists what failed")
-        picture = (chart / "chart.png").read_bytes()
-        expect(picture.startswith(b"\x89PNG") and len(picture) > 10000,
-               "there is a picture")
-        expect("<svg" in (chart / "chart.svg").read_text(), "also as SVG")
+        reads_picture(chart)
+
+    def redraws(self):
+        """Each chart from the numbers that are in the repository."""
+        to = self.folder / "redrawn"
+        names = sorted(path.parent.name
+                       for path in RESULTS.glob("[0-9]_*/numbers.csv"))
+        for name in names:
+            (to / name).mkdir(parents=True)
+            for table in (RESULTS / name).glob("*.csv"):
+                shutil.copy(table, to / name)
+        for failed in (False, True):
+            if failed:
+                for name in names:
+                    fail_last_run(to / name / "numbers.csv")
+            status, output, messages, _ = self.charts("--to", to, "--redraw",
+                                                          *names)
+            expect(status == 0, f"the charts are redrawn: {messages}")
+            for name in names:
+                expect(f"{name}: drawn from its table" in output,
+                       f"{name} is redrawn: {output}")
+                reads_picture(to / name)
+                page = (to / name / "README.md").read_text()
+                if failed:
+                    expect("\n- a run: Refused." in page, f"{name} says what failed")
+                else:
+                    expect(page == (RESULTS / name / "README.md").read_text(),
+                           f"the page of {name} says what its table does")
+        table = to / names[0] / "numbers.csv"
+        table.unlink()
+        self.refuses(f"There is no table '{table}' to draw from; expected is ",
+                     "--to", to, "--redraw", names[0])
+
+
+def reads_picture(chart):
+    picture = (chart / "chart.png").read_bytes()
+    expect(picture.startswith(b"\x89PNG") and len(picture) > 10000,
+           f"there is a picture in {chart}")
+    expect("<svg" in (chart / "chart.svg").read_text(), "also as SVG")
+
+
+def fail_last_run(path):
+    """Takes the numbers of the last row of a table away."""
+    lines = path.read_text().splitlines()
+    head = [line for line in lines if line.startswith("#")]
+    rows = list(csv.DictReader(lines[len(head):]))
+    for key in rows[-1]:
+        if key.startswith(("mu", "time", "iterations", "error", "change of mu",
+                           "off", "test", "factorisation", "memory")):
+            rows[-1][key] = "nan"
+    rows[-1]["failed"] = "Refused."
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        file.writelines(f"{line}\n" for line in head)
+        file.write("# failed: a run: Refused.\n")
+        table = csv.DictWriter(file, rows[0])
+        table.writeheader()
+        table.writerows(rows)
 
 
 def main(program):
@@ -131,6 +189,7 @@ def main(program):
         benchmark = test.folder / "tools" / "benchmarks" / "contact_benchmarks"
         test.refuses(f"There is no benchmark '{benchmark}', ", "--asperity",
                      test.program, "2")
+        test.redraws()
     return 0
 
 

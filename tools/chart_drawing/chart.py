@@ -1,4 +1,5 @@
-"""A chart: its runs, its table of numbers, its picture and its page."""
+"""A chart: its runs, its tables of numbers, its picture and its page. A module
+measures, which writes tables, and shows, which reads nothing but them."""
 
 import csv
 import datetime
@@ -8,20 +9,23 @@ import platform
 import matplotlib
 import numpy as np
 
-from .scene_runs import ROOT, RunKeeper, processor
+from .scene_runs import ROOT, RunError, RunKeeper, processor
 from .style import distance_to_front, plt
 
 NEAR = 1.25  # how far from the Pareto front is still near it
 
 
 class Chart:
-    """What a module draws with. `full` says that points need not be few."""
+    """What a module draws with. `full` says that points need not be few; without
+    a program it is shown from the tables that are there."""
 
     def __init__(self, name, to, program, full, jobs):
-        self.name, self.full, self.program = name, full, program
+        self.name, self.program = name, program
         self.folder = os.path.join(os.path.abspath(to), name)
-        self.mode = "full" if full else "quick"
         self.source = os.path.join(ROOT, "parameter_files", "charts", name)
+        if program is None:
+            full = "full mode" in self.head()[0]
+        self.full, self.mode = full, "full" if full else "quick"
         self.keeper = RunKeeper(os.path.join(self.folder, "runs", self.mode),
                                 program, 3600 if full else 150, jobs)
         self.verdict = None
@@ -83,6 +87,24 @@ class Chart:
             for row in rows:
                 writer.writerow(_text(row.get(key, "")) for key in columns)
 
+    def lines(self, name):
+        path = os.path.join(self.folder, name)
+        if not os.path.exists(path):
+            raise RunError(f"There is no table '{path}' to draw from; expected is "
+                           "one that the chart has written before.")
+        with open(path, encoding="utf-8") as file:
+            return file.read().splitlines()
+
+    def head(self):
+        return [line[2:] for line in self.lines("numbers.csv")
+                if line.startswith("# ")]
+
+    def rows(self, name="numbers.csv"):
+        """The rows of a table that has been written, numbers as numbers."""
+        lines = [line for line in self.lines(name) if not line.startswith("#")]
+        return [{key: _number(value) for key, value in row.items()}
+                for row in csv.DictReader(lines)]
+
     def picture(self, figure):
         for ending, dpi in (("png", 110), ("svg", 72)):
             figure.savefig(os.path.join(self.folder, f"chart.{ending}"),
@@ -111,9 +133,10 @@ class Chart:
     def page(self, title, *paragraphs):
         """Writes README.md: title, picture, conclusion, what failed."""
         text = [f"# {title}", *paragraphs, f"![{title}](chart.png)"]
-        if self.keeper.failures:
+        failures = [line[8:] for line in self.head() if line.startswith("failed: ")]
+        if failures:
             text.append("Without result, and marked in the chart:\n\n" + "\n".join(
-                f"- {run}: {why}" for run, why in self.keeper.failures))
+                f"- {failure}" for failure in failures))
         text.append(f"Numbers, machine, versions and settings are in "
                     f"[numbers.csv](numbers.csv). Drawn in {self.mode} mode by\n\n"
                     f"    tools/charts{' --full' if self.full else ''} "
@@ -125,9 +148,10 @@ class Chart:
     def report(self):
         """One line about what has been done, and one where it matters."""
         keeper = self.keeper
-        line = (f"{self.name}: {keeper.n_new + keeper.n_kept} runs, "
-                f"{keeper.n_new} of them new, {len(keeper.failures)} failed; "
-                f"{os.path.join(self.folder, 'chart.png')}")
+        made = (f"{keeper.n_new + keeper.n_kept} runs, {keeper.n_new} of them new, "
+                f"{len(keeper.failures)} failed" if self.program else
+                "drawn from its table")
+        line = f"{self.name}: {made}; {os.path.join(self.folder, 'chart.png')}"
         return line if self.verdict is None else f"{line}\n  {self.verdict}"
 
 
@@ -135,3 +159,10 @@ def _text(value):
     if isinstance(value, float):
         return f"{value:.6g}"
     return value
+
+
+def _number(text):
+    try:
+        return float(text)
+    except ValueError:
+        return text

@@ -1,5 +1,7 @@
 """Mortar, Gauss-point and augmented-Lagrange contact over the penalty."""
 
+import math
+
 from .style import (BLUE, GREEN, PURPLE, RED, finish_logs, label_ends,
                     mark_default, mark_failed, panels)
 
@@ -18,7 +20,7 @@ def penalties(full):
             (0.1, 0.5, 2, 8, 32, 200, 2e3))
 
 
-def draw(chart):
+def measure(chart):
     mesh = ({"Mesh/Spans": 160, "Mesh/Refinement levels": 3} if chart.full
             else {})
     scenes = {f"{method}, c = {c:g}": {**mesh, **entries,
@@ -47,10 +49,12 @@ def draw(chart):
                 "cuts": run.value("cost", "cuts"),
                 "time": run.seconds / default.seconds,
                 "failed": run.failure or ""})
-    condition = hertz.rows("contact_penalty.csv")
     chart.table(rows, "the run of the default penalty and formulation")
-    if condition:
-        chart.table(condition, name="hertz.csv")
+    chart.table(hertz.rows("contact_penalty.csv"), name="hertz.csv")
+
+
+def show(chart):
+    rows, condition = chart.rows(), chart.rows("hertz.csv")
     points = {row["run"]: (row["iterations"], row["error of mu [%]"])
               for row in rows}
     verdict = chart.judge(points[DEFAULT], points, "error of mu [%]")
@@ -99,16 +103,16 @@ def picture(chart, rows, condition):
     for method, key in (("mortar", "mortar"), ("Gauss point", "gauss_point")):
         good = [row for row in condition if row["formulation"] == key]
         _, colour, line = METHODS[method]
-        panel.loglog([float(row["penalty_h_over_E"]) for row in good],
-                     [float(row["condition"]) for row in good], line,
+        panel.loglog([row["penalty_h_over_E"] for row in good],
+                     [row["condition"] for row in good], line,
                      color=colour, **({"lw": 5, "alpha": 0.5}
                                       if method == "mortar" else {}))
-        mark_failed(panel, [float(row["penalty_h_over_E"]) for row in good
-                            if row["pressure_error"] in ("nan", "-nan")], colour)
+        mark_failed(panel, [row["penalty_h_over_E"] for row in good
+                            if math.isnan(row["pressure_error"])], colour)
         if method == "mortar":
             for row in good:
-                if float(row["penalty_h_over_E"]) == 8:
-                    mark_default(panel, 8, float(row["condition"]))
+                if row["penalty_h_over_E"] == 8:
+                    mark_default(panel, 8, row["condition"])
     panel.set_title("condition number of the tangent (Hertz)")
     for panel in axes[1]:
         panel.set_xlabel("c, the penalty over E/h")

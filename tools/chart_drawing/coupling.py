@@ -14,7 +14,7 @@ METHODS = {"plain": ("relaxation", RED, "s-"), "Aitken": ("Aitken", GREEN, "D-")
            "IQN-ILS": ("IQN-ILS", BLUE, "o-")}
 CONDITIONS = {"automatic": "tangent\nand secant", "secant": "secant\nalone",
               "dirichlet": "Dirichlet-\nNeumann"}
-MONOLITHIC = {"monolithic: Reynolds": "Reynolds", "monolithic: dry": "none"}
+MONOLITHIC = {"monolithic, Reynolds": "Reynolds", "monolithic, dry": "none"}
 
 
 def coefficients(full):
@@ -23,8 +23,9 @@ def coefficients(full):
             [1e7, 1e8, 1e9, 1e10, 1e12])
 
 
-def draw(chart):
+def measure(chart):
     piston = chart.benchmark("coupling_benchmarks").rows("coupling_map.csv")
+    chart.table(piston, name="piston.csv")
     scenes = {f"{method}, {alpha if alpha == 'automatic' else f'{alpha:.3g}'}": {
         "Coupling/Acceleration": kind,
         "Coupling/Robin coefficient": alpha if alpha == "automatic"
@@ -48,9 +49,11 @@ def draw(chart):
                      "time": run.seconds / default.seconds,
                      "failed": run.failure or ""})
     chart.table(rows, "the run with the default coupling")
-    if piston:
-        chart.table(piston, name="piston.csv")
-    of = {row["run"]: row for row in rows}
+
+
+def show(chart):
+    piston = chart.rows("piston.csv")
+    of = {row["run"]: row for row in chart.rows()}
     points = {name: (row["time"], row["iterations a step"])
               for name, row in of.items() if not name.startswith("mono")}
     verdict = chart.judge(points["IQN-ILS, automatic"], points, "iterations")
@@ -63,7 +66,7 @@ def conclusion(piston, of, verdict):
     for row in piston:
         key = row["method"], row["condition"]
         counts.setdefault(key, []).append(
-            float(row["iterations"]) if row["converged"] == "1" else math.nan)
+            row["iterations"] if row["converged"] == 1. else math.nan)
     def told(method, condition):
         values = counts.get((method, condition), [math.nan])
         lost = sum(map(math.isnan, values))
@@ -89,9 +92,9 @@ def conclusion(piston, of, verdict):
         f"{of['Aitken, automatic']['iterations a step']:.1f}. {verdict} "
         "Where oil and chip are solved together (a Reynolds film), Newton's "
         "method takes "
-        f"{of['monolithic: Reynolds']['iterations a step']:.1f} iterations a step "
+        f"{of['monolithic, Reynolds']['iterations a step']:.1f} iterations a step "
         "at "
-        f"{of['monolithic: Reynolds']['time']:.2f} of the time; there is no "
+        f"{of['monolithic, Reynolds']['time']:.2f} of the time; there is no "
         f"monolithic Navier-Stokes flow. {len(failed)} of {len(of)} runs did not "
         "couple.")
 
@@ -112,17 +115,17 @@ def picture(chart, piston, of):
 
 def draw_map(panel, rows):
     """Iterations over alpha/Z_s and Z_f/Z_s; x where there is no result."""
-    alphas = sorted({float(r["alpha"]) for r in rows if r["condition"] == "robin"})
-    fluids = sorted({float(r["Z_f"]) for r in rows})
+    alphas = sorted({r["alpha"] for r in rows if r["condition"] == "robin"})
+    fluids = sorted({r["Z_f"] for r in rows})
     n = len(alphas) + len(CONDITIONS)
     image = np.full((len(fluids), n), np.nan)
     for row in rows:
-        column = (alphas.index(float(row["alpha"]))
+        column = (alphas.index(row["alpha"])
                   if row["condition"] == "robin" else
                   len(alphas) + list(CONDITIONS).index(row["condition"]))
-        line = fluids.index(float(row["Z_f"]))
-        if row["converged"] == "1":
-            image[line, column] = float(row["iterations"])
+        line = fluids.index(row["Z_f"])
+        if row["converged"] == 1.:
+            image[line, column] = row["iterations"]
         else:
             panel.text(column, line, "×", ha="center", va="center", color=RED,
                        size=8)
@@ -164,7 +167,7 @@ def draw_scene(panel, of, alphas):
             if method == "IQN-ILS":
                 mark_default(panel, alphas[-1] * 30., y, "default", (-8, -15),
                              "right")
-    reynolds = of["monolithic: Reynolds"]["iterations a step"]
+    reynolds = of["monolithic, Reynolds"]["iterations a step"]
     panel.axhline(reynolds, color=GREY, ls="--", lw=1.2)
     ends.append((reynolds, "monolithic\nReynolds film", GREY))
     panel.set_xlim(alphas[0] / 3., alphas[-1] * 100.)

@@ -63,7 +63,7 @@ def machine():
     return transfer, arithmetic
 
 
-def draw(chart):
+def measure(chart):
     scenes, meshes = {}, sizes(chart.full)
     for mesh, (entries, left_out) in meshes.items():
         for solver in SOLVERS:
@@ -100,6 +100,10 @@ def draw(chart):
     chart.table(rows, "a factorisation by CHOLMOD on the default mesh; memory "
                 f"is a maximum, bandwidth {transfer:.3g} B/s and arithmetic "
                 f"{arithmetic:.3g} 1/s of one core")
+
+
+def show(chart):
+    rows = chart.rows()
     sentence = picture(chart, rows)
     chart.page(TITLE, *conclusion(chart, rows, sentence))
 

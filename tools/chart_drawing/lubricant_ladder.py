@@ -40,7 +40,7 @@ def sweeps(full):
             for v in speeds}}
 
 
-def draw(chart):
+def measure(chart):
     mesh = ({"Mesh/Spans": 160, "Mesh/Refinement levels": 3,
              "Protocol/Ramp steps": 24, "Protocol/Slide steps": 48,
              "Film mesh/Rows": 2}
@@ -56,22 +56,26 @@ def draw(chart):
         for rung in RUNGS:
             runs[f"{point}, {rung}"] = runs[f"{CENTRE}, {rung}"]
     base = runs[f"{CENTRE}, dry"].seconds
-    rows, of = [], {}
+    rows = []
     for quantity, group in groups.items():
         for point, (value, _) in group.items():
             exact = runs[f"{point}, {BEST}"].mu
             for rung in RUNGS:
                 run = runs[f"{point}, {rung}"]
-                row = {"quantity": quantity, "value": value, "rung": rung,
-                       "mu": run.mu,
-                       "off Navier-Stokes [%]": 100. * (run.mu / exact - 1.),
-                       "off [% of the dry mu]": 100. * (run.mu - exact) /
-                       runs[f"{point}, dry"].mu,
-                       "contact fraction": run.value("contact_fraction"),
-                       "time": run.seconds / base, "failed": run.failure or ""}
-                rows.append(row)
-                of[point, rung] = row
+                rows.append({
+                    "quantity": quantity, "point": point, "value": value,
+                    "rung": rung, "mu": run.mu,
+                    "off Navier-Stokes [%]": 100. * (run.mu / exact - 1.),
+                    "off [% of the dry mu]": 100. * (run.mu - exact) /
+                    runs[f"{point}, dry"].mu,
+                    "contact fraction": run.value("contact_fraction"),
+                    "time": run.seconds / base, "failed": run.failure or ""})
     chart.table(rows, "the dry run of the scene as it is")
+
+
+def show(chart):
+    groups = sweeps(chart.full)
+    of = {(row["point"], row["rung"]): row for row in chart.rows()}
     cheapest = {measure: {point: cheapest_rung(of, point, measure)
                           for group in groups.values() for point in group}
                 for measure in ("off Navier-Stokes [%]", "off [% of the dry mu]")}

@@ -30,7 +30,7 @@ def campaigns(full):
     return designs
 
 
-def draw(chart):
+def measure(chart):
     file = os.path.join(chart.source, "active.prm")
     base = chart.scenes({"default scene": {"Mesh/Spans": 160,
                                            "Mesh/Refinement levels": 3,
@@ -45,6 +45,10 @@ def draw(chart):
             tests[DESIGN + "Test table"] = os.path.join(results, "runs.csv")
         rows += rows_of(name, run, entries, unit, not rows)
     chart.table(rows, "one run of the same scene with default mesh and steps")
+
+
+def show(chart):
+    rows = chart.rows()
     picture(chart, rows)
     chart.page(TITLE, *conclusion(chart, rows))
 

@@ -38,7 +38,10 @@ def scenes_of(full):
     return groups
 
 
-def draw(chart):
+COLUMNS = ("time [s]", "sliding distance [m]", "T_x [N/m]", "T_y [N/m]")
+
+
+def measure(chart):
     mesh = ({"Mesh/Spans": 160, "Mesh/Refinement levels": 3} if chart.full
             else {})
     groups = scenes_of(chart.full)
@@ -52,13 +55,20 @@ def draw(chart):
              "time": run.seconds / default.seconds,
              "failed": run.failure or ""} for name, run in runs.items()]
     chart.table(rows, "the run of the default steps")
-    of = {row["run"]: row for row in rows}
+    chart.table([{"run": name, **{key: float(row[key]) for key in COLUMNS}}
+                 for name, run in runs.items() if name.startswith("long")
+                 and not run.failed for row in run.rows("friction.csv")],
+                name="long_runs.csv")
+
+
+def show(chart):
+    of = {row["run"]: row for row in chart.rows()}
     points = {name: (row["Newton iterations"], abs(row["change of mu [%]"]))
               for name, row in of.items()
               if name.startswith("quasi-static") or name.startswith("ramp of")
               and "t_end" not in name}
     verdict = chart.judge(points[DEFAULT], points, "change of mu [%]")
-    windows = picture(chart, groups, of, runs)
+    windows = picture(chart, scenes_of(chart.full), of)
     dynamic = of[DEFAULT.replace("quasi-static", "dynamic")]
     chart.page(
         TITLE, "mu of R0 (300 MPa, 200 m/min, 25 degC) against {} + {} "
@@ -104,17 +114,15 @@ def draw_ramps(panel, of):
                  abs(of[DEFAULT]["change of mu [%]"]))
 
 
-def draw_window(panel, runs):
+def draw_window(panel, long_runs):
     """Returns a sentence about what the window does to mu."""
     means = {}
     sentence = "the long run is too short to tell."
     for inertia, colour in INERTIA.items():
-        run = runs.get(f"long, {inertia}")
-        if run is None or run.failed:
+        rows = [row for row in long_runs if row["run"] == f"long, {inertia}"]
+        if not rows:
             continue
-        rows = run.rows("friction.csv")
-        s, x, y, t = (np.array([float(row[key]) for row in rows]) for key in (
-            "sliding distance [m]", "T_x [N/m]", "T_y [N/m]", "time [s]"))
+        t, s, x, y = (np.array([row[key] for row in rows]) for key in COLUMNS)
         panel.plot(1e6 * s, np.abs(x / y), color=colour, label=inertia,
                    lw=1.4 if inertia == "quasi-static" else 0.8)
         if inertia != "quasi-static":
@@ -146,12 +154,12 @@ def draw_window(panel, runs):
     return sentence
 
 
-def picture(chart, groups, of, runs):
+def picture(chart, groups, of):
     figure, axes = panels(2, 2, width=5., height=3.5)
     draw_steps(axes[0, 0], groups, of, "steps")
     ends = draw_steps(axes[0, 1], groups, of, "Newton iterations")
     draw_ramps(axes[1, 0], of)
-    sentence = draw_window(axes[1, 1], runs)
+    sentence = draw_window(axes[1, 1], chart.rows("long_runs.csv"))
     axes[0, 0].set(title="over the number of steps", xlabel="steps",
                    ylabel="change of mu [%]")
     axes[0, 1].set(title="over Newton iterations", xlabel="Newton iterations")
