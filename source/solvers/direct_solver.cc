@@ -239,15 +239,21 @@ namespace asperity
       klu_numeric       *numeric  = nullptr;
     };
 
+    /** MPI, started before the members that follow this one. */
+    struct StartedMpi
+    {
+      StartedMpi()
+      {
+        MpiSession::start();
+      }
+    };
+
+
+
     /** MUMPS through Amesos; the wrapper repeats the analysis every time. */
     class Mumps : public DirectSolver
     {
     public:
-      Mumps()
-      {
-        MpiSession::start();
-      }
-
       void
       reset() override
       {}
@@ -285,6 +291,7 @@ namespace asperity
       }
 
     private:
+      StartedMpi                                              mpi;
       dealii::SolverControl                                   control;
       dealii::TrilinosWrappers::SparseMatrix                  trilinos_matrix;
       std::unique_ptr<dealii::TrilinosWrappers::SolverDirect> solver;

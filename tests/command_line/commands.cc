@@ -241,3 +241,31 @@ TEST_F(Commands, a_run_chooses_its_settings_where_that_is_wanted)
   EXPECT_NE(result.errors.find("found true with Accuracy/Control = adaptive"),
             std::string::npos);
 }
+
+
+
+TEST_F(Commands, all_linear_solvers_of_a_scene_give_the_same_friction)
+{
+  std::string expected;
+  for (const std::string solver : {"cholmod", "umfpack", "klu", "mumps"})
+    {
+      write(
+        "scene.prm",
+        "subsection Mesh\n set Spans = 16\n set Refinement levels = 0\nend\n"
+        "subsection Load\n set Pressure = 5 MPa\nend\n"
+        "subsection Protocol\n set Ramp steps = 2\n set Slide steps = 2\n"
+        "end\nsubsection Output\n set Output directory = run\nend\n"
+        "subsection Solver\n set Linear solver = " +
+          solver + "\nend\n");
+      const Result result = run("scene.prm");
+      ASSERT_EQ(result.status, 0) << solver << ": " << result.errors;
+      const auto begin = result.output.rfind("\nmu = ");
+      ASSERT_NE(begin, std::string::npos) << result.output;
+      // Four digits: more is round-off of the solvers.
+      const std::string mu =
+        result.output.substr(begin, result.output.find("+-", begin) - begin);
+      if (expected.empty())
+        expected = mu;
+      EXPECT_EQ(mu, expected) << solver;
+    }
+}
