@@ -5,28 +5,30 @@ import time
 
 import numpy as np
 
-from .style import (BLUE, GREEN, GREY, INK, PURPLE, RED, finish_logs, label_ends,
+from .style import (BLUE, GREEN, GREY, PURPLE, RED, finish_logs, label_ends,
                     mark_default, mark_failed, panels)
 
 TITLE = "Linear solvers over size: time and memory against the machine"
 SOLVERS = {"cholmod": (BLUE, "o-"), "umfpack": (RED, "s-"), "klu": (GREEN, "D-"),
            "mumps": (PURPLE, "^-")}
 DEFAULT_SIZE = "160 spans, strip 0.3 um"
+MEMORY = "memory beyond that of the smallest run [MB]"
+FACTOR = "factor by nested dissection [MB]"
 ENTRIES_A_ROW = 50  # (2 p + 1)^2 neighbours of two components, p = 2
 
 
 def sizes(full):
-    """{name: (entries, solvers that are left out as they take too long)}"""
-    meshes = [(40, 1, 0.3), (80, 2, 0.3), (160, 3, 0.3), (320, 3, 0.3),
-              (640, 3, 0.3), (896, 2, 2.6)]
+    """{name: (entries, solvers that are left out as they take too long)}; small
+    sizes take more steps, since their time is to stand out from the start-up's."""
+    meshes = [(40, 1, 0.3, 24), (80, 2, 0.3, 24), (160, 3, 0.3, 24),
+              (320, 3, 0.3, 6), (640, 3, 0.3, 3)]
     if full:
-        meshes += [(1536, 2, 3.), (2048, 1, 4.6)]
+        meshes += [(896, 2, 2.6, 3), (1536, 2, 3., 3), (2048, 1, 4.6, 3)]
     return {f"{spans} spans, strip {strip} um": (
         {"Mesh/Spans": spans, "Mesh/Refinement levels": levels,
-         "Mesh/Strip depth": f"{strip} um"},
-        () if spans <= 320 or full and spans <= 640 else
-        ("umfpack", "klu", "mumps") if not full and spans > 640 else ("klu",))
-        for spans, levels, strip in meshes}
+         "Mesh/Strip depth": f"{strip} um", "Protocol/Ramp steps": steps},
+        () if spans <= 320 else ("klu",) if full else ("umfpack", "klu", "mumps"))
+        for spans, levels, strip, steps in meshes}
 
 
 def dissection(n_x, n_y, p=2, border=0):
@@ -70,10 +72,16 @@ def measure(chart):
             if solver not in left_out:
                 scenes[f"{solver}, {mesh}"] = {
                     **entries, "Solver/Linear solver": solver}
-    runs = chart.scenes(scenes)
+    # What a run takes before and after its iterations: one of a hundred unknowns.
+    least = {solver: {"Mesh/Spans": 8, "Mesh/Refinement levels": 0,
+                      "Solver/Linear solver": solver} for solver in SOLVERS}
+    runs = chart.scenes({**{f"{solver}, start-up": entries
+                            for solver, entries in least.items()}, **scenes})
     transfer, arithmetic = machine()
-    unit = phase(runs[f"cholmod, {DEFAULT_SIZE}"], "factorisation")
-    start_up = min(run.memory for run in runs.values())
+
+    def iteration(run, solver):
+        return ((run.seconds - runs[f"{solver}, start-up"].seconds) / run.newton)
+    unit = iteration(runs[f"cholmod, {DEFAULT_SIZE}"], "cholmod")
     rows = []
     for mesh, (entries, left_out) in meshes.items():
         n = runs[f"cholmod, {mesh}"].value("mesh", "unknowns")
@@ -84,75 +92,68 @@ def measure(chart):
             if solver in left_out:
                 continue
             run = runs[f"{solver}, {mesh}"]
+            start_up = runs[f"{solver}, start-up"].memory
             rows.append({
                 "run": f"{solver}, {mesh}", "solver": solver, "unknowns": n,
-                "factorisation": phase(run, "factorisation") / unit,
-                "solution": phase(run, "solution") / unit,
-                "assembly": phase(run, "assembly") / unit,
+                "time": iteration(run, solver) / unit,
                 "Newton iterations": run.newton,
-                "memory beyond that of the smallest run [MB]":
-                    1e-6 * (run.memory - start_up) if not run.failed
-                    else float("nan"),
+                MEMORY: 1e-6 * (run.memory - start_up) if not run.failed
+                else float("nan"),
                 "bound by bandwidth": moved / transfer / unit,
                 "bound by arithmetic": operations / arithmetic / unit,
-                "factor by nested dissection [MB]": 8e-6 * fill,
+                FACTOR: 8e-6 * fill,
                 "failed": run.failure or ""})
-    chart.table(rows, "a factorisation by CHOLMOD on the default mesh; memory "
-                f"is a maximum, bandwidth {transfer:.3g} B/s and arithmetic "
-                f"{arithmetic:.3g} 1/s of one core")
+    chart.table(rows, "a Newton iteration with CHOLMOD on the default mesh, without "
+                "start-up, assembly in it; memory is a maximum, bandwidth "
+                f"{transfer:.3g} B/s and arithmetic {arithmetic:.3g} 1/s of one core")
 
 
 def show(chart):
     rows = chart.rows()
-    sentence = picture(chart, rows)
-    chart.page(TITLE, *conclusion(chart, rows, sentence))
+    picture(chart, rows)
+    chart.page(TITLE, *conclusion(chart, rows))
 
 
-def phase(run, name):
-    """Processor seconds of a phase of one Newton iteration: the share that it
-    has of the run's wall time, in processor time."""
-    share = run.value("cost", name) / run.value("cost", "wall_time")
-    return share * run.seconds / run.newton
-
-
-def conclusion(chart, rows, sentence):
+def conclusion(chart, rows):
     of = {row["run"]: row for row in rows}
-    default = of[f"cholmod, {DEFAULT_SIZE}"]
-    points = {row["solver"]: (row["factorisation"] + row["solution"],
-                              max(row["memory beyond that of the smallest run "
-                                      "[MB]"], 1.))
-              for row in rows if DEFAULT_SIZE in row["run"]}
+    points = {row["solver"]: (row["time"], max(row[MEMORY], 1.))
+              for row in rows if DEFAULT_SIZE in row["run"] and not row["failed"]}
     verdict = chart.judge(points["cholmod"], points, "memory [MB]")
-    largest = max((r for r in rows if r["solver"] == "cholmod"),
+    largest = max((r for r in rows if r["solver"] == "cholmod" and not r["failed"]),
                   key=lambda row: row["unknowns"])
     bound = max(largest["bound by bandwidth"], largest["bound by arithmetic"])
+    others = ", ".join(f"{solver} {time:.1f}" for solver, (time, _) in points.items()
+                       if solver != "cholmod")
+    common = max(row["unknowns"] for row in rows if row["solver"] == "mumps")
+    own = next(row for row in rows if row["unknowns"] == common)
+    at_largest = ", ".join(
+        f"{row['solver']} {row['time'] / own['time']:.1f}" for row in rows
+        if row["unknowns"] == common and row is not own and not row["failed"])
     return (
-        "Factorisation of the tangent a Newton iteration, in units of that by "
-        "CHOLMOD on the default mesh. On the default mesh "
-        f"({default['unknowns']:.0f} unknowns, here) the others take "
-        + ", ".join(f"{solver} {points[solver][0] / points['cholmod'][0]:.1f}"
-                    for solver in points if solver != "cholmod")
-        + f" times as long. {verdict} {sentence}",
+        "Processor time of a Newton iteration, assembly in it, in units of one with "
+        "CHOLMOD on the default mesh "
+        f"({of[f'cholmod, {DEFAULT_SIZE}']['unknowns']:.0f} unknowns). There the "
+        f"others take {others} times as long, and at {common:.0f} unknowns "
+        f"{at_largest} times as long as CHOLMOD, the default. {verdict}",
         "The bounds are of the machine: reading the matrix and writing the factor "
         "once at the bandwidth of a long sum, and the operations of a nested "
         "dissection of as many control points on a rectangle at the speed of a "
-        "product of matrices. At the largest size, "
-        f"{largest['unknowns']:.0f} unknowns, CHOLMOD takes "
-        f"{largest['factorisation'] / bound:.0f} times the larger bound, of which "
-        "its ordering, made anew with each pattern, and its transpositions are "
-        "a part.")
+        f"product of matrices. At {largest['unknowns']:.0f} unknowns an iteration "
+        f"takes {largest['time'] / bound:.0f} times the larger bound: assembly, "
+        "ordering, made anew with each pattern, and transpositions are the rest. "
+        f"Memory grows by {largest[MEMORY]:.0f} MB, where the factor alone is "
+        f"{largest[FACTOR]:.0f} MB." +
+        ("" if chart.full else " Full mode goes up to a million unknowns."))
 
 
 def picture(chart, rows):
     figure, (axes,) = panels(2, width=5.4, height=4.3)
-    memory = "memory beyond that of the smallest run [MB]"
     ends = ([], [])
     for solver, (colour, line) in SOLVERS.items():
         of_solver = [row for row in rows if row["solver"] == solver]
         good = [row for row in of_solver if not row["failed"]]
-        for panel, what, end in zip(axes, ("factorisation", memory), ends):
-            shown = [row for row in good if row[what] > (2. if what == memory
-                                                         else 0.)]
+        for panel, what, end, least in zip(axes, ("time", MEMORY), ends, (0., 2.)):
+            shown = [row for row in good if row[what] > least]
             panel.loglog([row["unknowns"] for row in shown],
                          [row[what] for row in shown], line, color=colour)
             mark_failed(panel, [row["unknowns"] for row in of_solver
@@ -164,29 +165,21 @@ def picture(chart, rows):
     n = [row["unknowns"] for row in own]
     for what, style, text in (
             ("bound by bandwidth", ":", "bound:\nbandwidth"),
-            ("bound by arithmetic", "--", "bound:\narithmetic"),
-            ("assembly", "-.", "assembly")):
-        axes[0].loglog(n, [row[what] for row in own], style, color=INK
-                       if what == "assembly" else GREY, lw=1.2)
-        ends[0].append((own[-1][what], text, INK if what == "assembly" else GREY))
-    factor = "factor by nested dissection [MB]"
-    axes[1].loglog(n, [row[factor] for row in own], "--", color=GREY, lw=1.2)
-    ends[1].append((own[-1][factor], "bound: factor\nby dissection", GREY))
+            ("bound by arithmetic", "--", "bound:\narithmetic")):
+        axes[0].loglog(n, [row[what] for row in own], style, color=GREY, lw=1.2)
+        ends[0].append((own[-1][what], text, GREY))
+    axes[1].loglog(n, [row[FACTOR] for row in own], "--", color=GREY, lw=1.2)
+    ends[1].append((own[-1][FACTOR], "bound: factor\nby dissection", GREY))
     default = next(row for row in own if DEFAULT_SIZE in row["run"])
-    mark_default(axes[0], default["unknowns"], default["factorisation"],
-                 "default mesh\nand solver", (-8, 14), "right")
-    mark_default(axes[1], default["unknowns"], default[memory],
+    mark_default(axes[0], default["unknowns"], default["time"],
+                 "default mesh\nand solver", (4, -26), "left")
+    mark_default(axes[1], default["unknowns"], default[MEMORY],
                  "default", (-8, 10), "right")
     axes[0].set(title="time of a Newton iteration by solver",
-                xlabel="unknowns", ylabel="time over the default factorisation")
+                xlabel="unknowns", ylabel="time over that of the default")
     axes[1].set(title="memory", xlabel="unknowns",
-                ylabel="memory beyond that of the smallest run [MB]")
+                ylabel=MEMORY)
     finish_logs(*axes)
     for panel, end in zip(axes, ends):
         label_ends(panel, end)
     chart.picture(figure)
-    fraction = own[-1]["assembly"] / own[-1]["factorisation"]
-    return (f"Assembly, in proportion to the unknowns, takes {fraction:.2f} times "
-            "the factorisation at the largest size, and "
-            f"{default['assembly'] / default['factorisation']:.1f} times on the "
-            "default mesh.")
