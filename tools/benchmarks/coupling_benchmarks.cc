@@ -1,7 +1,6 @@
 // How the coupling iteration fares on the piston of the tests, where impedances
 // are known. Writes coupling_map.csv into the directory given as the first
-// argument (default: the current one); tools/benchmarks/coupling_charts.py
-// draws it.
+// argument (default: the current one); tools/charts draws it.
 
 #include <asperity/base/errors.h>
 

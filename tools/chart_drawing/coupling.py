@@ -73,6 +73,9 @@ def conclusion(piston, of, verdict):
         best = [value for value in values if not math.isnan(value)]
         return (f"{min(best):.1f} to {max(best):.1f}" if best else "no") + (
             f" ({lost} of {len(values)} without result)" if lost else "")
+    def steps(run):
+        return ("does not couple" if of[run]["failed"] else
+                f"{of[run]['iterations a step']:.1f}")
     failed = [name for name, row in of.items() if row["failed"]]
     return (
         "Piston and chamber, over nine impedances of the fluid from a tenth of "
@@ -87,9 +90,9 @@ def conclusion(piston, of, verdict):
         "The scene is R1 full of incompressible oil, 300 MPa, 200 m/min. The "
         f"default (automatic, IQN-ILS) takes "
         f"{of['IQN-ILS, automatic']['iterations a step']:.1f} iterations a step, "
-        f"the same without acceleration "
-        f"{of['plain, automatic']['iterations a step']:.1f}, with Aitken "
-        f"{of['Aitken, automatic']['iterations a step']:.1f}. {verdict} "
+        f"the same without acceleration {steps('plain, automatic')}, with Aitken "
+        f"{steps('Aitken, automatic')}. {verdict} A fixed coefficient has to be "
+        "found by trial, and a tenfold of the best one fails. "
         "Where oil and chip are solved together (a Reynolds film), Newton's "
         "method takes "
         f"{of['monolithic, Reynolds']['iterations a step']:.1f} iterations a step "
