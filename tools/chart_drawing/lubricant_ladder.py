@@ -22,8 +22,8 @@ def sweeps(full):
     """{quantity: {point: (value, entries)}}; the scene as it is lies in each."""
     gaps = (0.02, 0.1, 0.3, 1, 3) if full else (0.02, 0.2, 1)
     slopes = (0.1, 0.25, 0.5, 1, 1.5) if full else (0.2, 0.5, 1)
-    viscosities = (1e-3, 1e-2, 0.1, 1, 10) if full else (0.01, 1, 10)
-    speeds = (10, 30, 100, 200, 400) if full else (20, 100, 400)
+    viscosities = (1e-3, 1e-2, 0.1, 1, 10) if full else (0.01, 1, 4)
+    speeds = (10, 30, 100, 200, 400) if full else (40, 100, 400)
     return {
         "smallest gap at the start [um]": {
             f"gap {g:g}": (g, {"Geometry/Initial gap": f"{g} um"}) for g in gaps},
