@@ -40,6 +40,7 @@ namespace asperity
     std::vector<std::pair<std::string, std::string>> entries = {
       {"Mesh/Spans", std::to_string(settings.mesh.spans)},
       {"Mesh/Refinement levels", std::to_string(settings.mesh.refinement)},
+      {"Mesh/Adaptive levels", std::to_string(settings.mesh.adaptive_levels)},
       {"Protocol/Ramp steps", std::to_string(settings.protocol.ramp_steps)},
       {"Protocol/Slide steps", std::to_string(settings.protocol.slide_steps)},
       {"Protocol/Steady step",

@@ -50,6 +50,14 @@ namespace asperity
 
 
 
+  unsigned int
+  MeshParameters::n_even_levels() const
+  {
+    return refinement - adaptive_levels;
+  }
+
+
+
   bool
   MeshParameters::has_coarser() const
   {
@@ -64,6 +72,7 @@ namespace asperity
     spans /= 2;
     if (refinement > 0)
       --refinement;
+    adaptive_levels = std::min(adaptive_levels, refinement);
   }
 
 
@@ -177,6 +186,41 @@ namespace asperity
                          "`, which never yields; expected none, Coulomb, or a "
                          "law of plasticity.");
     }
+
+    /** A mesh that changes takes a dry chip at rest with it, and no more. */
+    void
+    check_adaptive_levels(const SceneParameters     &p,
+                          const ParameterDeclarator &parameters)
+    {
+      const unsigned int levels = p.mesh.adaptive_levels;
+      if (levels == 0)
+        return;
+      const auto fail = [&](const std::string &found,
+                            const std::string &expected) {
+        throw InputError(parameters.where("Mesh/Adaptive levels") + ": found " +
+                         std::to_string(levels) + " with " + found +
+                         "; expected 0, or " + expected + ".");
+      };
+      if (levels > p.mesh.refinement)
+        fail(std::to_string(p.mesh.refinement) + " Refinement levels",
+             "at most as many as those");
+      if (p.chip.kind != SurfaceKind::flat)
+        fail("a chip that is not flat", "Chip surface/Kind = flat");
+      if (p.lubrication.model != LubricantModel::none)
+        fail("a lubricant", "Lubrication/Model = none");
+      if (p.interface.law != InterfaceShear::none)
+        fail("an interface that bears shear", "Interface/Shear law = none");
+      if (p.heat_model() == HeatModel::conducting)
+        fail("heat that is conducted",
+             "the Heat model adiabatic or isothermal");
+      if (p.protocol.inertia == Inertia::dynamic)
+        fail("a chip that has inertia", "Protocol/Inertia = quasi-static");
+      if (p.contact.augmentations > 0)
+        fail("multipliers of the contact", "Contact/Augmentations = 0");
+      if (p.output.restart)
+        fail("a restart, though checkpoints hold no mesh",
+             "Output/Restart = false");
+    }
   } // namespace
 
 
@@ -209,6 +253,7 @@ namespace asperity
                        "has the settings of the last round.");
     material.check(parameters);
     check_interface(*this, parameters);
+    check_adaptive_levels(*this, parameters);
     heat.check(parameters, material.heating.adiabatic);
     protocol.check(parameters, load.velocity);
     if (fills_gap(lubrication.model) &&

@@ -128,7 +128,7 @@ namespace asperity
       parameters.protocol.window == FrictionWindow::time || run.is_steady();
     result.steps             = run.state().step;
     result.newton_iterations = run.newton_statistics().iterations;
-    result.unknowns          = audited.scene->n_unknowns();
+    result.unknowns          = run.mean_unknowns();
     result.contact_element   = audited.scene->contact_element_length();
     result.warnings = warnings_of_run(audited.audit.warnings, run, parameters);
     if (result.friction.T_y != 0.)

@@ -31,6 +31,13 @@ namespace asperity
         "Entry 'Protocol/Reversal distance': found a chip that turns back with "
         "a lubricant that fills the gap, for which the chip has inertia; "
         "expected 0 um or another lubricant model.");
+    if (parameters.mesh.adaptive_levels > 0 &&
+        audit.inertia == Inertia::dynamic)
+      throw InputError(
+        "Entry 'Mesh/Adaptive levels': found " +
+        std::to_string(parameters.mesh.adaptive_levels) +
+        " with a chip whose inertia counts; expected 0, or Protocol/Inertia = "
+        "quasi-static.");
     if (parameters.lubrication.model == LubricantModel::automatic)
       {
         parameters.lubrication.model = audit.lubricant;

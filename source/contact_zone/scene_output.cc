@@ -1,23 +1,15 @@
 #include <asperity/base/version.h>
-#include <asperity/contact_zone/mechanisms.h>
 #include <asperity/contact_zone/scene_checkpoint.h>
 #include <asperity/contact_zone/scene_heat.h>
 #include <asperity/contact_zone/scene_output.h>
 #include <asperity/postprocess/polyline.h>
-#include <asperity/postprocess/summary.h>
 
 #include <deal.II/base/timer.h>
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
-#include <cmath>
-#include <filesystem>
 
 namespace asperity
 {
-  using json = nlohmann::ordered_json;
-
   namespace
   {
     /** Up to which step pictures stay. */
@@ -39,11 +31,6 @@ namespace asperity
     , inputs(inputs)
     , scene(scene)
     , table(parameters.output.directory, state.rows)
-    , chip_output(*scene.space,
-                  scene.geometry,
-                  parameters.output.subdivisions,
-                  static_cast<unsigned int>(std::lround(
-                    std::sqrt(scene.chip->table().points_per_element))))
     , chip(parameters.output.directory, "chip", kept(state))
     , tool(parameters.output.directory, "tool", kept(state))
     , contact_line(parameters.output.directory, "contact", kept(state))
@@ -68,6 +55,7 @@ namespace asperity
         step % parameters.output.picture_interval == 0)
       write_pictures(run);
     if (parameters.output.checkpoint_interval > 0 &&
+        parameters.mesh.adaptive_levels == 0 &&
         step % parameters.output.checkpoint_interval == 0)
       write_checkpoint(run);
     seconds_ += timer.wall_time();
@@ -107,7 +95,15 @@ namespace asperity
   {
     const unsigned int step = run.state().step;
     const double       time = run.state().time;
-    ChipFields         fields;
+    if (drawn_mesh != scene.space->hierarchy())
+      {
+        drawn_mesh = scene.space->hierarchy();
+        chip_output.emplace(*scene.space,
+                            scene.geometry,
+                            parameters.output.subdivisions,
+                            parameters.mesh.n_quadrature_points());
+      }
+    ChipFields fields;
     fields.displacement.reinit(scene.n_dofs());
     std::copy_n(run.state().u.begin(),
                 scene.n_dofs(),
@@ -124,7 +120,7 @@ namespace asperity
                                  {"von Mises stress [Pa]",
                                   scene.chip->mises_stress()}};
     chip.write(step, time, [&](std::ostream &out) {
-      chip_output.write(out, fields, time, step);
+      chip_output->write(out, fields, time, step);
     });
   }
 
@@ -202,194 +198,5 @@ namespace asperity
   SceneOutput::seconds() const
   {
     return seconds_;
-  }
-
-
-
-  namespace
-  {
-    json
-    summarise_friction(const SlidingRun &run, const SceneParameters &parameters)
-    {
-      const FrictionResult    friction  = run.friction();
-      const FrictionJudgement judgement = run.judgement();
-      const double            v         = parameters.load.velocity;
-      json                    summary;
-      summary["mu"]              = friction.mu;
-      summary["ploughing"]       = friction.ploughing;
-      summary["interface_shear"] = friction.interface_shear;
-      summary["oil_shear"]       = friction.oil_shear;
-      summary["mu_end"]          = friction.mu_end;
-      summary["spread"]          = friction.spread;
-      summary["valid"]           = judgement.status == FrictionStatus::valid;
-      summary["status"]          = name(judgement.status);
-      summary["window"]          = {friction.window_begin, friction.window_end};
-      summary["window_sliding_distance"] = {friction.window_begin * v,
-                                            friction.window_end * v};
-      summary["T_x"]                     = friction.T_x;
-      summary["T_y"]                     = friction.T_y;
-      summary["carried_load"]            = judgement.carried_load;
-      json distances                     = json::array();
-      for (const DistanceMean &mean :
-           means_over_distance(run.state().rows, 0.1e-6))
-        distances.push_back(
-          {{"from", mean.from}, {"to", mean.to}, {"mu", mean.mu}});
-      summary["over_distance"] = distances;
-      if (parameters.protocol.window == FrictionWindow::steady)
-        summary["steady"] = run.is_steady();
-      return summary;
-    }
-
-    /** JSON has no number for 0/0. */
-    json
-    number_or_null(const double value)
-    {
-      return std::isfinite(value) ? json(value) : json(nullptr);
-    }
-
-    json
-    summarise_oil(const SlidingRun      &run,
-                  const Scene           &scene,
-                  const SceneParameters &parameters)
-    {
-      const FrictionResult friction = run.friction();
-      const FrictionRow   &last     = run.state().rows.back();
-      json                 summary;
-      summary["wetting"]               = parameters.lubrication.wetting;
-      summary["thickness"]             = scene.oil.thickness;
-      summary["part_of_void_at_start"] = scene.oil.part_at_start;
-      summary["part_of_void_at_touch"] =
-        number_or_null(scene.oil.part_at_touch);
-      summary["temperature"] = run.oil_temperature();
-      summary["initial_gap"] = scene.oil.initial_gap;
-      summary["pressure"]    = friction.oil_pressure;
-      summary["load_share"]  = number_or_null(
-        friction.oil_pressure * scene.length / std::abs(friction.T_y));
-      summary["T_x_pressure"]     = friction.oil_T_x;
-      summary["T_x_shear"]        = friction.shear_T_x;
-      summary["reference_volume"] = last.oil_reference_volume;
-      summary["events"]           = scene.lubricant->events();
-      return summary;
-    }
-
-    json
-    summarise_heat(const SlidingRun &run)
-    {
-      const std::vector<FrictionRow> &rows     = run.state().rows;
-      const FrictionResult            friction = run.friction();
-      const std::optional<double>     to_tool =
-        share_of_tool(rows, friction.window_begin, friction.window_end);
-      double flash = 0., error = 0.;
-      for (const FrictionRow &row : rows)
-        {
-          flash = std::max(flash, row.flash_temperature);
-          error = std::max(error, row.heat_balance_error);
-        }
-      json summary;
-      summary["to_tool"]           = to_tool ? json(*to_tool) : json(nullptr);
-      summary["balance_error"]     = error;
-      summary["flash_temperature"] = flash;
-      return summary;
-    }
-
-    /** The columns of the last row that summary.json shows. */
-    void
-    add_end(const FrictionRow &last, const Scene &scene, json &summary)
-    {
-      const auto is_in = [](const FrictionColumn &column, const char *section) {
-        return column.summary.rfind(section, 0) == 0;
-      };
-      for (const FrictionColumn &column : friction_columns())
-        if (!column.summary.empty() &&
-            (scene.lubricant || !is_in(column, "/oil/")) &&
-            (scene.heat || !is_in(column, "/heat/")))
-          std::visit(
-            [&](const auto entry) {
-              summary[json::json_pointer(column.summary)] = last.*entry;
-            },
-            column.member);
-    }
-
-    json
-    summarise_cost(const SlidingRun &run,
-                   const Scene      &scene,
-                   const double      output_seconds,
-                   const double      wall_time)
-    {
-      const EquilibriumCost &cost = scene.equilibrium->cost();
-      json                   summary;
-      summary["wall_time"]     = wall_time;
-      summary["assembly"]      = cost.assembly;
-      summary["factorisation"] = cost.factorisation;
-      summary["solution"]      = cost.solution;
-      if (scene.gap_flow != nullptr)
-        summary["flow"] = scene.gap_flow->seconds();
-      summary["output"]            = output_seconds;
-      summary["steps"]             = run.state().step;
-      summary["cuts"]              = run.n_cuts();
-      summary["newton_iterations"] = run.newton_statistics().iterations;
-      summary["factorisations"]    = cost.factorisations;
-      summary["linearizations"]    = run.newton_statistics().linearizations;
-      summary["residuals"]         = run.newton_statistics().residuals;
-      return summary;
-    }
-  } // namespace
-
-
-
-  void
-  SceneOutput::finish(const SlidingRun               &run,
-                      const SceneAudit               &audit,
-                      const AccuracyReport           &accuracy,
-                      const std::vector<std::string> &warnings,
-                      const double                    wall_time)
-  {
-    dealii::Timer timer;
-    if (last_picture != run.state().step)
-      write_pictures(run);
-    seconds_ += timer.wall_time();
-
-    json summary;
-    summary["program"]          = version_json();
-    summary["friction"]         = summarise_friction(run, parameters);
-    summary["contact_fraction"] = run.friction().contact_fraction;
-    if (accuracy.error)
-      summary["accuracy"] = to_json(accuracy);
-    if (scene.lubricant)
-      summary["oil"] = summarise_oil(run, scene, parameters);
-    if (scene.heat)
-      summary["heat"] = summarise_heat(run);
-    add_end(run.state().rows.back(), scene, summary);
-    summary["load"]   = {{"pressure", parameters.load.pressure},
-                         {"velocity", parameters.load.velocity},
-                         {"temperature", parameters.load.temperature},
-                         {"plastic_strain", parameters.load.plastic_strain}};
-    summary["models"] = {
-      {"lubricant", name(parameters.lubrication.model)},
-      {"inertia", run.solid_step().is_dynamic() ? "dynamic" : "quasi-static"},
-      {"heat", name(parameters.heat_model())},
-      {"material", scene.law->name()}};
-    summary["mechanisms"] = mechanisms_of(parameters);
-    summary["mesh"]       = {{"degree", scene.space->degree()},
-                             {"cells", scene.space->n_cells()},
-                             {"unknowns", scene.n_unknowns()},
-                             {"contact_element", scene.contact_element_length()},
-                             {"penalty", scene.penalty()}};
-    summary["surfaces"]   = {{"period", scene.length},
-                             {"tool", scene.tool_surface.description},
-                             {"chip", scene.chip_surface.description}};
-    json numbers;
-    for (const AuditEntry &entry : audit.entries)
-      numbers[entry.name] = {{"value", number_or_null(entry.value)},
-                             {"meaning", entry.meaning}};
-    summary["audit"]    = numbers;
-    summary["cost"]     = summarise_cost(run, scene, seconds_, wall_time);
-    summary["warnings"] = warnings;
-    json unused         = json::array();
-    for (const UnusedEntry &entry : audit.unused)
-      unused.push_back(
-        {{"entry", entry.path}, {"counts_with", entry.counts_with}});
-    summary["unused_entries"] = unused;
-    write_summary(parameters.output.directory + "/summary.json", summary);
   }
 } // namespace asperity

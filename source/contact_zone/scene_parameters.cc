@@ -47,6 +47,19 @@ namespace asperity
                        "Levels of hierarchical refinement between the bottom "
                        "and the contact edge; each halves the element size. "
                        "Spans must be a multiple of 2 to this power.");
+    parameters.integer("Adaptive levels",
+                       adaptive_levels,
+                       Range::between(0, most_levels),
+                       "How many of the Refinement levels, the finest ones, "
+                       "are only where the chip touches the tool or soon will; "
+                       "the mesh changes during the run. 0: none, all levels "
+                       "are along the whole contact edge.");
+    parameters.quantity("Remesh distance",
+                        remesh_distance,
+                        "um",
+                        Range::between(1e-10, 1e-2),
+                        "Sliding distance ahead for which a mesh with Adaptive "
+                        "levels is refined when it changes.");
     parameters.quantity("Strip depth",
                         strip,
                         "um",

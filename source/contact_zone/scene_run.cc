@@ -136,7 +136,9 @@ namespace asperity
       {
         throw ComputationError(
           error.what() +
-          kept_state(*output, run_, parameters().output.directory));
+          (parameters().mesh.adaptive_levels > 0 ?
+             "" :
+             kept_state(*output, run_, parameters().output.directory)));
       }
   }
 
@@ -200,7 +202,7 @@ namespace asperity
   {
     const Scene &scene = *audited_.scene;
     return {run_.friction().mu,
-            scene.n_unknowns(),
+            run_.mean_unknowns(),
             run_.newton_statistics().iterations,
             run_.state().rows.back().sliding_distance /
               scene.contact_element_length()};

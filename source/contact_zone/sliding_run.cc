@@ -24,13 +24,17 @@ namespace asperity
     : parameters(parameters)
     , scene(scene)
     , protocol_(parameters.load, parameters.protocol)
-    , step(*scene.chip,
-           *scene.equilibrium,
-           scene.initial_unknowns(),
-           parameters.protocol.inertia == Inertia::dynamic ?
-             std::optional(parameters.protocol.spectral_radius) :
-             std::nullopt)
+    , step(std::make_unique<SolidStep>(
+        *scene.chip,
+        *scene.equilibrium,
+        scene.initial_unknowns(),
+        parameters.protocol.inertia == Inertia::dynamic ?
+          std::optional(parameters.protocol.spectral_radius) :
+          std::nullopt))
   {
+    if (parameters.mesh.adaptive_levels > 0)
+      adaptation =
+        std::make_unique<MeshAdaptation>(parameters, scene, protocol_);
     state_.u = state_.u_previous = scene.initial_unknowns();
     state_.coverage.assign(scene.contact->table().JxW.size(),
                            scene.lubricant ? scene.oil.part_at_start : 0.);
@@ -38,16 +42,16 @@ namespace asperity
     state_.rows.back().max_temperature    = parameters.load.temperature;
     state_.rows.back().max_plastic_strain = parameters.load.plastic_strain;
     state_.rows.back().flash_temperature  = scene.flash_temperature();
-    if (!step.is_dynamic())
+    if (!step->is_dynamic())
       return;
-    SolidStep::State start = step.state();
+    SolidStep::State start = step->state();
     start.v                = scene.translation(parameters.load.velocity, 0.);
     if (scene.gap_flow != nullptr)
       scene.gap_flow->add(start.u, start.forces, nullptr);
-    step.set_state(start);
+    step->set_state(start);
     if (scene.gap_flow != nullptr)
       lubricated_step_ = std::make_unique<LubricatedStep>(
-        step,
+        *step,
         *scene.gap_flow,
         [this](Vector &u) { return solve(u); },
         parameters.lubrication.coupling);
@@ -61,24 +65,38 @@ namespace asperity
     while (!finished())
       {
         dealii::Timer timer;
-        const double  target = protocol_.next_time(state_.time);
-        double        dt     = proposed_step(target - state_.time);
-        std::string   reason;
-        unsigned int  halvings = 0;
-        while (!try_step(dt, reason))
-          {
-            ++cuts;
-            if (++halvings > parameters.solver.maximum_cuts)
-              throw ComputationError(
-                "Step " + std::to_string(state_.step + 1) +
-                " at t = " + format_quantity(state_.time, "us", 4) +
-                " failed after " + std::to_string(halvings - 1) +
-                " cuts, at a step of " + format_quantity(dt, "ns", 3) + ": " +
-                reason + "." + remedies());
-            dt *= 0.5;
-          }
+        StepStart     start;
+        if (adaptation)
+          start = {state_.u_previous,
+                   state_.dt_previous,
+                   state_.time,
+                   scene.chip->history()};
+        take_step(
+          proposed_step(protocol_.next_time(state_.time) - state_.time));
+        if (adaptation)
+          adapt_mesh(start);
         record(timer.wall_time());
         observer(*this);
+      }
+  }
+
+
+
+  void
+  SlidingRun::take_step(double dt)
+  {
+    std::string  reason;
+    unsigned int halvings = 0;
+    while (!try_step(dt, reason))
+      {
+        ++cuts;
+        if (++halvings > parameters.solver.maximum_cuts)
+          throw ComputationError(
+            "Step " + std::to_string(state_.step + 1) + " at t = " +
+            format_quantity(state_.time, "us", 4) + " failed after " +
+            std::to_string(halvings - 1) + " cuts, at a step of " +
+            format_quantity(dt, "ns", 3) + ": " + reason + "." + remedies());
+        dt *= 0.5;
       }
   }
 
@@ -130,7 +148,7 @@ namespace asperity
     Vector load   = scene.bottom_load();
     step_pressure = protocol_.pressure(state_.time + dt);
     load *= step_pressure;
-    step.begin(dt, load);
+    step->begin(dt, load);
     std::optional<Vector> tried;
     for (const Predictor &predict : predictors(dt))
       {
@@ -213,7 +231,7 @@ namespace asperity
     options.n_energy_components = scene.n_dofs();
     for (unsigned int augmentations = 0;;)
       {
-        ConvergenceReport report = step.solve(u, options, statistics);
+        ConvergenceReport report = step->solve(u, options, statistics);
         if (!report.converged)
           {
             const std::string in_oil =
@@ -279,14 +297,16 @@ namespace asperity
     const bool turns =
       protocol_.direction(state_.time + dt) != protocol_.direction(state_.time);
     std::vector<Predictor> list;
+    if (first_guess)
+      list.push_back([this]() { return *first_guess; });
     if (state_.step > 1 && !turns)
       list.push_back(extrapolation);
-    if (step.is_dynamic())
-      list.push_back([this]() { return step.predict(); });
+    if (step->is_dynamic())
+      list.push_back([this]() { return step->predict(); });
     // At the start nothing but oil that is solved for can carry the chip.
     if (state_.step > 0 || scene.n_unknowns() > scene.n_dofs())
       list.push_back(translation);
-    if (!step.is_dynamic())
+    if (!step->is_dynamic())
       list.push_back(touch);
     return list;
   }
@@ -326,7 +346,8 @@ namespace asperity
   void
   SlidingRun::accept(const Vector &u, const double dt)
   {
-    step.accept(u);
+    step->accept(u);
+    first_guess.reset();
     if (scene.heat)
       scene.heat->advance(u, dt, frictional_power(dt));
     if (ShearTraction *shear = scene.contact->shear())

@@ -53,6 +53,10 @@ namespace asperity
     recorded_factorisations = factorisations;
     row.wall_time           = seconds;
     state_.rows.push_back(row);
+    state_.remeshing.unknown_iterations +=
+      1. * scene.n_unknowns() * row.newton_iterations;
+    state_.remeshing.most_unknowns =
+      std::max(state_.remeshing.most_unknowns, scene.n_unknowns());
   }
 
 
@@ -165,7 +169,7 @@ namespace asperity
   SolidStep &
   SlidingRun::solid_step()
   {
-    return step;
+    return *step;
   }
 
 
@@ -173,7 +177,7 @@ namespace asperity
   const SolidStep &
   SlidingRun::solid_step() const
   {
-    return step;
+    return *step;
   }
 
 
@@ -214,5 +218,16 @@ namespace asperity
   SlidingRun::n_cuts() const
   {
     return cuts;
+  }
+
+
+
+  unsigned int
+  SlidingRun::mean_unknowns() const
+  {
+    if (!adaptation || statistics.iterations == 0)
+      return scene.n_unknowns();
+    return static_cast<unsigned int>(
+      std::lround(state_.remeshing.unknown_iterations / statistics.iterations));
   }
 } // namespace asperity

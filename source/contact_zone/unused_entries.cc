@@ -101,6 +101,12 @@ namespace asperity
         {{"Mesh/Strip depth"},
          "Refinement levels",
          [](const SceneParameters &p) { return p.mesh.refinement > 0; }},
+        {{"Mesh/Remesh distance"},
+         "Adaptive levels",
+         [](const SceneParameters &p) { return p.mesh.adaptive_levels > 0; }},
+        {{"Output/Checkpoint interval"},
+         "a mesh without Adaptive levels",
+         [](const SceneParameters &p) { return p.mesh.adaptive_levels == 0; }},
         {{"Load/Plastic strain"}, "a Law of plasticity", yields},
         {{"Load/Temperature"},
          "a Law of the chip that softens or heats itself, or a Temperature law "

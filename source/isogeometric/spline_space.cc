@@ -1,5 +1,6 @@
 #include <asperity/base/errors.h>
 #include <asperity/isogeometric/l2_projection.h>
+#include <asperity/isogeometric/space_transfer.h>
 #include <asperity/isogeometric/spline_space.h>
 
 #include <deal.II/grid/grid_generator.h>
@@ -237,29 +238,41 @@ namespace asperity
 
 
 
-  void
-  SplineSpace::refine_to_level(
-    const unsigned int                                   level,
-    const std::function<bool(const dealii::Point<2> &,
-                             const dealii::Point<2> &)> &wanted)
+  bool
+  SplineSpace::step_towards(
+    const std::function<int(const unsigned int)> &missing_levels)
   {
-    for (unsigned int sweep = 0; sweep < level; ++sweep)
+    bool flagged = false;
+    for (const auto &cell :
+         implementation->triangulation.active_cell_iterators())
       {
-        bool flagged = false;
-        for (const auto &cell :
-             implementation->triangulation.active_cell_iterators())
-          {
-            const auto box = cell_box(cell->active_cell_index());
-            if (cell->level() < int(level) && wanted(box.first, box.second))
-              {
-                cell->set_refine_flag();
-                flagged = true;
-              }
-          }
-        if (!flagged)
-          return;
-        execute_refinement();
+        const int change = missing_levels(cell->active_cell_index());
+        if (change > 0)
+          cell->set_refine_flag();
+        else if (change < 0 && cell->level() > 0)
+          cell->set_coarsen_flag();
+        flagged = flagged || change != 0;
       }
+    if (flagged)
+      execute_refinement();
+    return flagged;
+  }
+
+
+
+  void
+  SplineSpace::refine_to_level(const unsigned int   level,
+                               const CellCondition &wanted)
+  {
+    bool goes_on = true;
+    for (unsigned int sweep = 0; sweep < level && goes_on; ++sweep)
+      goes_on = step_towards([&](const unsigned int cell) {
+        const auto box = cell_box(cell);
+        return hierarchy()->cell_index(cell).level < level &&
+                   wanted(box.first, box.second) ?
+                 1 :
+                 0;
+      });
   }
 
 
@@ -267,34 +280,39 @@ namespace asperity
   void
   SplineSpace::refine_like(const SplineHierarchy &target)
   {
-    const auto differs = [&](const CellIndex &index) {
-      const auto &node = target.nodes()[target.find_node(index)];
-      return node.index.level < index.level ? -1 : (node.cell < 0 ? 1 : 0);
-    };
     // Each sweep settles at least one level, up or down.
     const unsigned int n_sweeps =
       target.n_levels() + implementation->hierarchy->n_levels() + 1;
     for (unsigned int sweep = 0; sweep < n_sweeps; ++sweep)
-      {
-        bool flagged = false;
-        for (const auto &cell :
-             implementation->triangulation.active_cell_iterators())
-          {
-            const int change = differs(
-              implementation->hierarchy->cell_index(cell->active_cell_index()));
-            if (change > 0)
-              cell->set_refine_flag();
-            else if (change < 0)
-              cell->set_coarsen_flag();
-            flagged = flagged || change != 0;
-          }
-        if (!flagged)
-          return;
-        execute_refinement();
-      }
+      if (!step_towards([&](const unsigned int cell) {
+            const CellIndex &index = hierarchy()->cell_index(cell);
+            const auto      &node  = target.nodes()[target.find_node(index)];
+            return node.index.level < index.level ? -1 : node.cell < 0 ? 1 : 0;
+          }))
+        return;
     throw ComputationError(
       "The mesh could not be brought to the cells of another spline space, "
       "since that space is not graded.");
+  }
+
+
+
+  void
+  SplineSpace::adapt(const CellLevel &wanted)
+  {
+    // Where the grading refuses to coarsen, sweeps change nothing at last.
+    for (;;)
+      {
+        const auto before = hierarchy();
+        if (!step_towards([&](const unsigned int cell) {
+              const auto box = cell_box(cell);
+              return static_cast<int>(wanted(box.first, box.second)) -
+                     static_cast<int>(hierarchy()->cell_index(cell).level);
+            }) ||
+            (before->n_cells() == hierarchy()->n_cells() &&
+             is_refinement(*before, *hierarchy())))
+          return;
+      }
   }
 
 

@@ -325,4 +325,15 @@ namespace asperity
   {
     return cost_;
   }
+
+
+
+  void
+  Equilibrium::add_cost(const EquilibriumCost &earlier)
+  {
+    cost_.assembly += earlier.assembly;
+    cost_.factorisation += earlier.factorisation;
+    cost_.solution += earlier.solution;
+    cost_.factorisations += earlier.factorisations;
+  }
 } // namespace asperity

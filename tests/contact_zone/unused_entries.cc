@@ -140,6 +140,7 @@ TEST(UnusedEntries, of_every_subsection_are_used_somewhere)
     elastic,
     two_waves,
     warm_oil,
+    {{"Mesh/Adaptive levels", "1"}},
     {{"Lubrication/Model", "Navier-Stokes"},
      {"Flow/Mesh update", "elastic"},
      {"Flow/Boundary left", "resistance"},

@@ -2,7 +2,7 @@
 """What the program says of its numerical error against what it is.
 
 Usage: tools/benchmarks/effectivity.py [--asperity PROGRAM] [--to FOLDER]
-           [--scenes WORDS] [--error PART] TASK
+           [--scenes WORDS] [--error PART] [--finest SPANS] TASK
 
   estimate  `Accuracy/Control = estimate` at the default settings against a
             finer run: the sixteen dry reference scenes, profiles of the
@@ -10,6 +10,9 @@ Usage: tools/benchmarks/effectivity.py [--asperity PROGRAM] [--to FOLDER]
             own, and R0 with two more harmonics
   adaptive  `Accuracy/Control = adaptive` for the wanted error: the error that
             is left, and the cost over that of the default settings
+  remeshing Mesh/Adaptive levels against meshes that are fine along the whole
+            edge: mu, unknowns, cost, and what changes of the mesh do to the run
+            (--finest 640 is the reference, at 320 spans a fifth of its time)
   check     error and time that `asperity check` predicts for these settings
             against the run, on the scenes that no constant was fitted to
 
@@ -28,6 +31,7 @@ with as much of itself.
 import argparse
 import csv
 import json
+import math
 import os
 import re
 import subprocess
@@ -37,8 +41,9 @@ import dry_scene
 ROOT = dry_scene.ROOT
 REFERENCE = os.path.join(ROOT, "parameter_files", "reference_scenes")
 DEFAULT = {"Mesh/Spans": 160, "Mesh/Refinement levels": 3,
+           "Mesh/Strip depth": "0.1 um",
            "Protocol/Ramp steps": 24, "Protocol/Slide steps": 96,
-           "Contact/Penalty factor": 8, "Solver/Tolerance": 1e-5}
+           "Contact/Penalty factor": 8, "Solver/Tolerance": 1e-4}
 # Twice the penalty [Pa/m] over elements half as long is the same factor.
 FINER = {**DEFAULT, "Mesh/Spans": 320, "Mesh/Refinement levels": 4,
          "Protocol/Ramp steps": 48, "Protocol/Slide steps": 192}
@@ -196,6 +201,52 @@ def adaptive(arguments):
         print(f"\nmet: {sum(met)} of {len(met)}")
 
 
+def remeshing(arguments):
+    dry_scene.print_head("scene | spans | levels at contacts | mu | off [%] | "
+                         "mean unknowns | Newton iterations | unknowns x "
+                         "iterations over those without | remeshes | largest "
+                         "change of mu [%] | drift of plastic work")
+    for scene in chosen(arguments):
+        results = {}
+        spans, level = arguments.finest, int(math.log2(arguments.finest // 20))
+        while level >= 2:
+            for adaptive in (0, level - 1):
+                if adaptive and spans == arguments.finest:
+                    continue
+                results[spans, adaptive] = cached_run(
+                    arguments, scene, f"mesh_{spans}_{adaptive}",
+                    {**DEFAULT, "Mesh/Spans": spans, "Solver/Tolerance": 1e-6,
+                     "Mesh/Refinement levels": level,
+                     "Mesh/Adaptive levels": adaptive})
+            spans, level = spans // 2, level - 1
+        print_remeshing(scene, results,
+                        results[arguments.finest, 0]["friction"]["mu"])
+
+
+def print_remeshing(scene, results, reference):
+    def work(summary):
+        mesh = summary["mesh"]
+        unknowns = mesh.get("remeshing", {}).get("mean_unknowns",
+                                                 mesh["unknowns"])
+        return unknowns, unknowns * summary["cost"]["newton_iterations"]
+
+    for (spans, adaptive), summary in sorted(results.items()):
+        if summary is None:
+            print(f"| {scene} | {spans} | {adaptive} | no result |")
+            continue
+        even = results[spans, 0]
+        told = summary["mesh"].get("remeshing")
+        mu = summary["friction"]["mu"]
+        print(f"| {scene} | {spans} | {adaptive} | {mu:.5f} | "
+              f"{100 * (mu / reference - 1.):+.2f} | {work(summary)[0]} | "
+              f"{summary['cost']['newton_iterations']} | "
+              f"{work(summary)[1] / work(even)[1]:.2f} | "
+              + (f"{told['remeshes']} | "
+                 f"{100 * told['largest_change_of_mu']:.3f} | "
+                 f"{told['drift_of_plastic_work']:.0e} |" if told else "| | |"),
+              flush=True)
+
+
 def prediction(arguments, file):
     """Error and time that `asperity check` predicts for a file."""
     done = subprocess.run([arguments.asperity, "check", file],
@@ -242,7 +293,8 @@ def chosen(arguments):
 def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
-    tasks = {"estimate": estimate, "adaptive": adaptive, "check": check}
+    tasks = {"estimate": estimate, "adaptive": adaptive,
+             "remeshing": remeshing, "check": check}
     parser.add_argument("task", choices=tasks)
     parser.add_argument("--asperity",
                         default=os.path.join(ROOT, "build", "asperity"))
@@ -250,6 +302,8 @@ def main():
                                                      "effectivity"))
     parser.add_argument("--scenes", default="")
     parser.add_argument("--error", type=float, default=0.007)
+    parser.add_argument("--finest", type=int, default=640,
+                        choices=(160, 320, 640))
     arguments = parser.parse_args()
     arguments.to = os.path.abspath(arguments.to)
     os.makedirs(arguments.to, exist_ok=True)

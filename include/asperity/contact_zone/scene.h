@@ -53,7 +53,7 @@ namespace asperity
     double
     penalty() const;
 
-    /** Largest element edge of the contact edge [m]. */
+    /** Element edge of the contact edge, where it has all levels [m]. */
     double
     contact_element_length() const;
 
@@ -85,6 +85,16 @@ namespace asperity
     /** u = (x, y) everywhere; other unknowns zero. */
     dealii::Vector<double>
     translation(const double x, const double y) const;
+
+    /**
+     * Refines and coarsens the chip, and builds anew what stands on its mesh:
+     * chip and contact as at the start, and the balance, with the cost so far.
+     * Of a dry scene with a flat chip that conducts no heat.
+     * @return whether the mesh has changed
+     */
+    bool
+    adapt_mesh(const SceneParameters        &parameters,
+               const SplineSpace::CellLevel &wanted);
 
     double length; ///< period L [m]
 
@@ -151,6 +161,13 @@ namespace asperity
    *  row. */
   std::vector<double>
   graded_rows(const double height, const double top, const double grading);
+
+  /** Whether a cell whose upper edge is so deep [m] belongs to the strip of a
+   *  level below the contact edge. */
+  bool
+  is_in_strip(const MeshParameters &mesh,
+              const unsigned int    level,
+              const double          depth);
 } // namespace asperity
 
 #endif

@@ -93,6 +93,12 @@ namespace asperity
     double       grading    = 1.5;    ///< growth of rows with depth
     unsigned int quadrature = 0;      ///< Gauss points; 0: the degree
 
+    /** Of the refinement levels, the finest ones that are only where the chip
+     *  touches or soon will; and the sliding distance for which they suffice
+     *  [m]. */
+    unsigned int adaptive_levels = 0;
+    double       remesh_distance = 0.1e-6;
+
     void
     declare(ParameterDeclarator &parameters);
 
@@ -106,6 +112,10 @@ namespace asperity
     /** Gauss points in each direction of an element, at least the degree. */
     unsigned int
     n_quadrature_points() const;
+
+    /** Levels of refinement along the whole edge. */
+    unsigned int
+    n_even_levels() const;
 
     /** Whether there is a mesh of half as many spans. */
     bool

@@ -5,10 +5,12 @@
 #include <asperity/contact_zone/friction_result.h>
 #include <asperity/contact_zone/load_protocol.h>
 #include <asperity/contact_zone/lubricated_step.h>
+#include <asperity/contact_zone/mesh_adaptation.h>
 #include <asperity/contact_zone/scene.h>
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,12 +29,15 @@ namespace asperity
     /** Share of oil in the gap, at the points of the contact. */
     std::vector<double> coverage;
 
+    RemeshReport remeshing;
+
     /** For archives of Boost.Serialization. */
     template <typename Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &step &time &u &u_previous &dt_previous &rows &coverage;
+      archive &step &time &u &u_previous &dt_previous &rows &coverage
+        &remeshing;
     }
   };
 
@@ -115,9 +120,40 @@ namespace asperity
     unsigned int
     n_cuts() const;
 
+    /** Of the meshes of the run, by their Newton iterations. */
+    unsigned int
+    mean_unknowns() const;
+
   private:
+    /** What a step begins with, beside state_.u. */
+    struct StepStart
+    {
+      dealii::Vector<double>     u_previous;
+      double                     dt_previous = 0., time = 0.;
+      std::vector<MaterialState> history;
+    };
+
     bool
     finished() const;
+
+    /** Accepts a step of at most this length [s].
+     *  @throws ComputationError if it fails after all cuts */
+    void
+    take_step(double dt);
+
+    /** Where something touches for which the mesh is too coarse, the step that
+     *  has been accepted is taken again on a mesh that suffices. */
+    void
+    adapt_mesh(const StepStart &start);
+
+    /** To the start of the accepted step, on the present mesh.
+     *  @param before of the state */
+    void
+    go_back(const StepStart &start, const SplineHierarchy &before);
+
+    /** mu of the last evaluated displacement. */
+    double
+    present_friction() const;
 
     bool
     try_step(const double dt, std::string &reason);
@@ -192,15 +228,20 @@ namespace asperity
     std::vector<double>
     frictional_power(const double dt) const;
 
-    const SceneParameters &parameters;
-    Scene                 &scene;
-    LoadProtocol           protocol_;
-    SolidStep              step;
-    RunState               state_;
-    NewtonStatistics       statistics;
-    double                 step_pressure = 0.; ///< load of the step [Pa]
-    unsigned int           cuts          = 0;
-    unsigned int           recorded_factorisations = 0;
+    const SceneParameters     &parameters;
+    Scene                     &scene;
+    LoadProtocol               protocol_;
+    std::unique_ptr<SolidStep> step;
+    RunState                   state_;
+    NewtonStatistics           statistics;
+    double                     step_pressure = 0.; ///< load of the step [Pa]
+    unsigned int               cuts          = 0;
+    unsigned int               recorded_factorisations = 0;
+
+    /** Null unless the mesh changes; and the end of a step on another mesh,
+     *  where the next first guess is. */
+    std::unique_ptr<MeshAdaptation>       adaptation;
+    std::optional<dealii::Vector<double>> first_guess;
 
     std::unique_ptr<LubricatedStep> lubricated_step_;
   };

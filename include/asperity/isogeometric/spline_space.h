@@ -69,13 +69,24 @@ namespace asperity
     void
     execute_refinement();
 
-    /** Refines until every cell for which `wanted(lower left, upper right)` (in
-     *  parameters) holds has at least this level. */
+    /** Of a cell, by its lower left and upper right corner in parameters. */
+    using CellCondition =
+      std::function<bool(const dealii::Point<2> &, const dealii::Point<2> &)>;
+    using CellLevel = std::function<unsigned int(const dealii::Point<2> &,
+                                                 const dealii::Point<2> &)>;
+
+    /** Refines until every cell for which the condition holds has at least this
+     *  level. */
     void
-    refine_to_level(
-      const unsigned int                                   level,
-      const std::function<bool(const dealii::Point<2> &,
-                               const dealii::Point<2> &)> &wanted);
+    refine_to_level(const unsigned int level, const CellCondition &wanted);
+
+    /**
+     * Refines until every cell has at least the level that is wanted of it, and
+     * coarsens cells that are finer, where the grading lets them. A cell must
+     * want at least what its parts want.
+     */
+    void
+    adapt(const CellLevel &wanted);
 
     /** Refines and coarsens until the cells are those of `target`, which has
      *  the same level-0 knots (their numbers may differ). */
@@ -136,6 +147,11 @@ namespace asperity
     ~SplineSpace();
 
   private:
+    /** Flags cells by the number of levels that they lack (positive) or have
+     *  too many, and executes the flags. @return whether there are any */
+    bool
+    step_towards(const std::function<int(const unsigned int)> &missing_levels);
+
     struct Implementation;
     std::unique_ptr<Implementation> implementation;
   };

@@ -109,6 +109,10 @@ namespace asperity
     const EquilibriumCost &
     cost() const;
 
+    /** Counts that of an earlier balance, too. */
+    void
+    add_cost(const EquilibriumCost &earlier);
+
   private:
     bool
     assemble(const dealii::Vector<double> &u,

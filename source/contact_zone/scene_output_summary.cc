@@ -1,0 +1,223 @@
+#include <asperity/base/version.h>
+#include <asperity/contact_zone/mechanisms.h>
+#include <asperity/contact_zone/scene_output.h>
+#include <asperity/postprocess/summary.h>
+
+#include <deal.II/base/timer.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity
+{
+  using json = nlohmann::ordered_json;
+
+  namespace
+  {
+    json
+    summarise_friction(const SlidingRun &run, const SceneParameters &parameters)
+    {
+      const FrictionResult    friction  = run.friction();
+      const FrictionJudgement judgement = run.judgement();
+      const double            v         = parameters.load.velocity;
+      json                    summary;
+      summary["mu"]              = friction.mu;
+      summary["ploughing"]       = friction.ploughing;
+      summary["interface_shear"] = friction.interface_shear;
+      summary["oil_shear"]       = friction.oil_shear;
+      summary["mu_end"]          = friction.mu_end;
+      summary["spread"]          = friction.spread;
+      summary["valid"]           = judgement.status == FrictionStatus::valid;
+      summary["status"]          = name(judgement.status);
+      summary["window"]          = {friction.window_begin, friction.window_end};
+      summary["window_sliding_distance"] = {friction.window_begin * v,
+                                            friction.window_end * v};
+      summary["T_x"]                     = friction.T_x;
+      summary["T_y"]                     = friction.T_y;
+      summary["carried_load"]            = judgement.carried_load;
+      json distances                     = json::array();
+      for (const DistanceMean &mean :
+           means_over_distance(run.state().rows, 0.1e-6))
+        distances.push_back(
+          {{"from", mean.from}, {"to", mean.to}, {"mu", mean.mu}});
+      summary["over_distance"] = distances;
+      if (parameters.protocol.window == FrictionWindow::steady)
+        summary["steady"] = run.is_steady();
+      return summary;
+    }
+
+    /** JSON has no number for 0/0. */
+    json
+    number_or_null(const double value)
+    {
+      return std::isfinite(value) ? json(value) : json(nullptr);
+    }
+
+    json
+    summarise_oil(const SlidingRun      &run,
+                  const Scene           &scene,
+                  const SceneParameters &parameters)
+    {
+      const FrictionResult friction = run.friction();
+      const FrictionRow   &last     = run.state().rows.back();
+      json                 summary;
+      summary["wetting"]               = parameters.lubrication.wetting;
+      summary["thickness"]             = scene.oil.thickness;
+      summary["part_of_void_at_start"] = scene.oil.part_at_start;
+      summary["part_of_void_at_touch"] =
+        number_or_null(scene.oil.part_at_touch);
+      summary["temperature"] = run.oil_temperature();
+      summary["initial_gap"] = scene.oil.initial_gap;
+      summary["pressure"]    = friction.oil_pressure;
+      summary["load_share"]  = number_or_null(
+        friction.oil_pressure * scene.length / std::abs(friction.T_y));
+      summary["T_x_pressure"]     = friction.oil_T_x;
+      summary["T_x_shear"]        = friction.shear_T_x;
+      summary["reference_volume"] = last.oil_reference_volume;
+      summary["events"]           = scene.lubricant->events();
+      return summary;
+    }
+
+    json
+    summarise_heat(const SlidingRun &run)
+    {
+      const std::vector<FrictionRow> &rows     = run.state().rows;
+      const FrictionResult            friction = run.friction();
+      const std::optional<double>     to_tool =
+        share_of_tool(rows, friction.window_begin, friction.window_end);
+      double flash = 0., error = 0.;
+      for (const FrictionRow &row : rows)
+        {
+          flash = std::max(flash, row.flash_temperature);
+          error = std::max(error, row.heat_balance_error);
+        }
+      json summary;
+      summary["to_tool"]           = to_tool ? json(*to_tool) : json(nullptr);
+      summary["balance_error"]     = error;
+      summary["flash_temperature"] = flash;
+      return summary;
+    }
+
+    /** The columns of the last row that summary.json shows. */
+    void
+    add_end(const FrictionRow &last, const Scene &scene, json &summary)
+    {
+      const auto is_in = [](const FrictionColumn &column, const char *section) {
+        return column.summary.rfind(section, 0) == 0;
+      };
+      for (const FrictionColumn &column : friction_columns())
+        if (!column.summary.empty() &&
+            (scene.lubricant || !is_in(column, "/oil/")) &&
+            (scene.heat || !is_in(column, "/heat/")))
+          std::visit(
+            [&](const auto entry) {
+              summary[json::json_pointer(column.summary)] = last.*entry;
+            },
+            column.member);
+    }
+
+    json
+    summarise_mesh(const SlidingRun      &run,
+                   const Scene           &scene,
+                   const SceneParameters &parameters)
+    {
+      json summary = {{"degree", scene.space->degree()},
+                      {"cells", scene.space->n_cells()},
+                      {"unknowns", scene.n_unknowns()},
+                      {"contact_element", scene.contact_element_length()},
+                      {"penalty", scene.penalty()}};
+      if (parameters.mesh.adaptive_levels == 0)
+        return summary;
+      const RemeshReport &report = run.state().remeshing;
+      summary["remeshing"]       = {
+              {"remeshes", report.remeshes},
+              {"largest_change_of_mu", report.change},
+              {"largest_change_of_mu_in_ramp", report.change_in_ramp},
+              {"drift_of_plastic_work", report.work_drift()},
+              {"excess_of_plastic_strain", report.strain_excess},
+              {"most_unknowns", report.most_unknowns},
+              {"mean_unknowns", run.mean_unknowns()}};
+      return summary;
+    }
+
+    json
+    summarise_cost(const SlidingRun &run,
+                   const Scene      &scene,
+                   const double      output_seconds,
+                   const double      wall_time)
+    {
+      const EquilibriumCost &cost = scene.equilibrium->cost();
+      json                   summary;
+      summary["wall_time"]     = wall_time;
+      summary["assembly"]      = cost.assembly;
+      summary["factorisation"] = cost.factorisation;
+      summary["solution"]      = cost.solution;
+      if (scene.gap_flow != nullptr)
+        summary["flow"] = scene.gap_flow->seconds();
+      summary["output"]            = output_seconds;
+      summary["steps"]             = run.state().step;
+      summary["cuts"]              = run.n_cuts();
+      summary["newton_iterations"] = run.newton_statistics().iterations;
+      summary["factorisations"]    = cost.factorisations;
+      summary["linearizations"]    = run.newton_statistics().linearizations;
+      summary["residuals"]         = run.newton_statistics().residuals;
+      return summary;
+    }
+  } // namespace
+
+
+
+  void
+  SceneOutput::finish(const SlidingRun               &run,
+                      const SceneAudit               &audit,
+                      const AccuracyReport           &accuracy,
+                      const std::vector<std::string> &warnings,
+                      const double                    wall_time)
+  {
+    dealii::Timer timer;
+    if (last_picture != run.state().step)
+      write_pictures(run);
+    seconds_ += timer.wall_time();
+
+    json summary;
+    summary["program"]          = version_json();
+    summary["friction"]         = summarise_friction(run, parameters);
+    summary["contact_fraction"] = run.friction().contact_fraction;
+    if (accuracy.error)
+      summary["accuracy"] = to_json(accuracy);
+    if (scene.lubricant)
+      summary["oil"] = summarise_oil(run, scene, parameters);
+    if (scene.heat)
+      summary["heat"] = summarise_heat(run);
+    add_end(run.state().rows.back(), scene, summary);
+    summary["load"]   = {{"pressure", parameters.load.pressure},
+                         {"velocity", parameters.load.velocity},
+                         {"temperature", parameters.load.temperature},
+                         {"plastic_strain", parameters.load.plastic_strain}};
+    summary["models"] = {
+      {"lubricant", name(parameters.lubrication.model)},
+      {"inertia", run.solid_step().is_dynamic() ? "dynamic" : "quasi-static"},
+      {"heat", name(parameters.heat_model())},
+      {"material", scene.law->name()}};
+    summary["mechanisms"] = mechanisms_of(parameters);
+    summary["mesh"]       = summarise_mesh(run, scene, parameters);
+    summary["surfaces"]   = {{"period", scene.length},
+                             {"tool", scene.tool_surface.description},
+                             {"chip", scene.chip_surface.description}};
+    json numbers;
+    for (const AuditEntry &entry : audit.entries)
+      numbers[entry.name] = {{"value", number_or_null(entry.value)},
+                             {"meaning", entry.meaning}};
+    summary["audit"]    = numbers;
+    summary["cost"]     = summarise_cost(run, scene, seconds_, wall_time);
+    summary["warnings"] = warnings;
+    json unused         = json::array();
+    for (const UnusedEntry &entry : audit.unused)
+      unused.push_back(
+        {{"entry", entry.path}, {"counts_with", entry.counts_with}});
+    summary["unused_entries"] = unused;
+    write_summary(parameters.output.directory + "/summary.json", summary);
+  }
+} // namespace asperity
