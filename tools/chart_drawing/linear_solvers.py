@@ -103,7 +103,7 @@ def measure(chart):
                 "bound by arithmetic": operations / arithmetic / unit,
                 FACTOR: 8e-6 * fill,
                 "failed": run.failure or ""})
-    chart.table(rows, "a Newton iteration with CHOLMOD on the default mesh, without "
+    chart.table(rows, "a Newton iteration with CHOLMOD on 160 spans, without "
                 "start-up, assembly in it; memory is a maximum, bandwidth "
                 f"{transfer:.3g} B/s and arithmetic {arithmetic:.3g} 1/s of one core")
 
@@ -131,7 +131,7 @@ def conclusion(chart, rows):
         if row["unknowns"] == common and row is not own and not row["failed"])
     return (
         "Processor time of a Newton iteration, assembly in it, in units of one with "
-        "CHOLMOD on the default mesh "
+        f"CHOLMOD on {DEFAULT_SIZE} "
         f"({of[f'cholmod, {DEFAULT_SIZE}']['unknowns']:.0f} unknowns). There the "
         f"others take {others} times as long, and at {common:.0f} unknowns "
         f"{at_largest} times as long as CHOLMOD, the default. {verdict}",
@@ -172,7 +172,7 @@ def picture(chart, rows):
     ends[1].append((own[-1][FACTOR], "bound: factor\nby dissection", GREY))
     default = next(row for row in own if DEFAULT_SIZE in row["run"])
     mark_default(axes[0], default["unknowns"], default["time"],
-                 "default mesh\nand solver", (4, -26), "left")
+                 "default solver\non 160 spans", (4, -26), "left")
     mark_default(axes[1], default["unknowns"], default[MEMORY],
                  "default", (-8, 10), "right")
     axes[0].set(title="time of a Newton iteration by solver",
