@@ -101,7 +101,7 @@ def show(chart):
         f"by: {listed}. Splines of degree 1 are bilinear finite elements (Q1), "
         "with 2 x 2 Gauss points. The program has no "
         "splines of lower continuity, so that Q2 elements cannot be set beside "
-        "it, and no adaptive refinement yet."
+        "it; meshes that follow the contacts are in tools/benchmarks."
         + ("" if chart.full else " On one scene an error may pass through zero "
            "between two meshes, as those of degree 1 do: a point far below the "
            "trend of its curve is luck. Full mode judges by two scenes."))
