@@ -35,6 +35,9 @@ namespace asperity
         after != points.begin() ? *(after - 1) : points.back() - period;
       return std::min(std::max(0., next - end), begin - last);
     }
+
+
+
     /** Of the regular step that follows [m]. */
     double
     next_way(const LoadProtocol &protocol, const double time)

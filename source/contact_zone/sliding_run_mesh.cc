@@ -97,8 +97,8 @@ namespace asperity
       std::max(report.strain_excess,
                excess(scene.chip->history(), start.history));
     take_step(dt);
-    if (state_.time != time)
-      return; // it has been cut
+    if (state_.time != time || mu == 0.)
+      return; // it has been cut, or nothing touched yet
     const double change = std::abs(present_friction() - mu) / std::abs(mu);
     double      &largest =
       time < protocol_.ramp_time() ? report.change_in_ramp : report.change;

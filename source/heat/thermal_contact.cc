@@ -141,6 +141,42 @@ namespace asperity
         }
       return control.last_step();
     }
+
+
+
+    /**
+     * Heat by point that goes over from chip to tool, s y [W/m].
+     * @param respond rise of the chip's coefficients by heat at points
+     * @param difference of the temperatures without exchange, at all points
+     */
+    template <class Respond>
+    Vector
+    exchanged_heat(const Exchange     &exchange,
+                   const ToolResponse &tool,
+                   const BasisTable   &edge,
+                   const Respond      &respond,
+                   const Vector       &difference,
+                   unsigned int       &iterations)
+    {
+      const unsigned int n       = difference.size();
+      const auto         product = [&](const Vector &y) {
+        Vector heat = y;
+        heat.scale(exchange.s);
+        Vector result = exchange.gather(
+          values_at_points(edge, respond(exchange.spread(heat, n))));
+        const Vector flux = tool.flux(heat);
+        result += tool.rise(flux, Vector(flux.size()));
+        result.scale(exchange.s);
+        result += y;
+        return result;
+      };
+      Vector right = exchange.gather(difference);
+      right.scale(exchange.s);
+      Vector y(right.size());
+      iterations = conjugate_gradients(product, right, y);
+      y.scale(exchange.s);
+      return exchange.spread(y, n);
+    }
   } // namespace
 
 
@@ -168,7 +204,6 @@ namespace asperity
     Vector             half_friction(n);
     for (unsigned int q = 0; q < n; ++q)
       half_friction(q) = 0.5 * interface.friction[q] * edge.JxW[q];
-    const Exchange exchange(interface, edge);
 
     // Without exchange.
     Step step;
@@ -183,44 +218,31 @@ namespace asperity
     Vector tool_rise = tool_response.rise(step.tool_flux, remembered);
     tool_rise.add(offset);
 
-    // Heat by point that goes over from chip to tool [W/m] is s y.
     const auto respond = [&](const Vector &heat) {
       Vector result(power.size());
       add_point_values(edge, heat, result);
       chip.respond(result);
       return result;
     };
-    const ToolResponse tool_there(tool, exchange.x, dt);
-    const Vector       none(remembered.size());
-    const auto         product = [&](const Vector &y) {
-      Vector heat = y;
-      heat.scale(exchange.s);
-      Vector result = exchange.gather(
-        values_at_points(edge, respond(exchange.spread(heat, n))));
-      result += tool_there.rise(tool_there.flux(heat), none);
-      result.scale(exchange.s);
-      result += y;
-      return result;
-    };
-    Vector right = chip_rise;
-    right -= tool_rise;
-    right = exchange.gather(right);
-    right.scale(exchange.s);
-    Vector y(right.size());
-    step.iterations = conjugate_gradients(product, right, y);
+    Vector difference = chip_rise;
+    difference -= tool_rise;
+    const Exchange exchange(interface, edge);
+    const Vector   heat = exchanged_heat(exchange,
+                                       ToolResponse(tool, exchange.x, dt),
+                                       edge,
+                                       respond,
+                                       difference,
+                                       step.iterations);
 
-    y.scale(exchange.s);
-    y                      = exchange.spread(y, n);
-    Vector       from_chip = respond(y);
-    const Vector to_tool   = tool_response.flux(y);
+    const Vector from_chip = respond(heat), to_tool = tool_response.flux(heat);
     step.chip_change -= from_chip;
     step.tool_flux += to_tool;
     chip_rise -= values_at_points(edge, from_chip);
-    tool_rise += tool_response.rise(to_tool, none);
+    tool_rise += tool_response.rise(to_tool, Vector(to_tool.size()));
     step.chip.assign(chip_rise.begin(), chip_rise.end());
     step.tool.assign(tool_rise.begin(), tool_rise.end());
     for (unsigned int q = 0; q < n; ++q)
-      step.to_tool.push_back((half_friction(q) + y(q)) / edge.JxW[q]);
+      step.to_tool.push_back((half_friction(q) + heat(q)) / edge.JxW[q]);
     return step;
   }
 
