@@ -48,10 +48,14 @@ namespace asperity
     , transition(parameters.transition * largest_element(table))
     , mean_k(tractions.size(), 0.)
     , mean_wet(tractions.size(), 0.)
-    , start{std::vector<double>(tractions.size(), 0.), table.position}
+    , closed_until(table.JxW.size(), 0.)
+    , start{std::vector<double>(tractions.size(), 0.),
+            std::vector<double>(tractions.size(), 0.),
+            table.position}
     , position(table.position)
     , slip_(table.JxW.size())
     , gap(table.JxW.size())
+    , pressure(tractions.size(), 0.)
     , mean_slip(tractions.size(), 0.)
     , traction(tractions.size(), 0.)
     , by_slip(tractions.size(), 0.)
@@ -77,7 +81,7 @@ namespace asperity
         p.slip                  = p.tangent * way;
         p.rotation              = gap[q].normal_rotation();
         p.by_way                = 1. - p.rotation * (n * way);
-        const double open       = gap[q].gap / transition;
+        const double open       = (gap[q].gap - closed_until[q]) / transition;
         p.touching              = std::clamp(1. - open, 0., 1.);
         p.closing = open > 0. && open < 1. ? -1. / transition : 0.;
       }
@@ -98,6 +102,7 @@ namespace asperity
     const std::vector<double> mean_touching = tractions.means(touching);
     for (unsigned int a = 0; a < traction.size(); ++a)
       {
+        pressure[a]               = pressures[a].value;
         const double        trial = start.tractions[a] + penalty * mean_slip[a];
         const ShearStrength limit = law.strength(
           {pressures[a].value, mean_k[a], mean_touching[a], mean_wet[a]});
@@ -174,8 +179,14 @@ namespace asperity
   ShearTraction::set_interface(const std::vector<double> &k,
                                const std::vector<double> &wet)
   {
-    mean_k   = tractions.means(k);
-    mean_wet = tractions.means(wet);
+    mean_k                      = tractions.means(k);
+    mean_wet                    = tractions.means(wet);
+    const std::vector<double> p = tractions.at_points(start.pressures);
+    for (unsigned int q = 0; q < k.size(); ++q)
+      {
+        const double over_k = k[q] > 0. ? p[q] / k[q] : 0.;
+        closed_until[q]     = over_k * over_k * transition;
+      }
   }
 
 
@@ -183,7 +194,7 @@ namespace asperity
   void
   ShearTraction::accept()
   {
-    start = {traction, position};
+    start = {traction, pressure, position};
   }
 
 
@@ -200,6 +211,7 @@ namespace asperity
   ShearTraction::set_history(const History &history)
   {
     AssertDimension(history.tractions.size(), start.tractions.size());
+    AssertDimension(history.pressures.size(), start.pressures.size());
     AssertDimension(history.positions.size(), start.positions.size());
     start = history;
   }

@@ -44,7 +44,8 @@ namespace asperity
       archive << column_names() << run.state() << scene.chip->history()
               << scene.contact->multipliers() << scene.contact->hints();
       if (const ShearTraction *shear = scene.contact->shear())
-        archive << shear->history().tractions << shear->history().positions;
+        archive << shear->history().tractions << shear->history().pressures
+                << shear->history().positions;
       if (scene.lubricant)
         scene.lubricant->save(archive);
       if (scene.heat)
@@ -77,6 +78,7 @@ namespace asperity
         fixed_length(hints, "positions of the contact");
       if (scene.contact->shear() != nullptr)
         archive >> fixed_length(shear.tractions, "shear tractions") >>
+          fixed_length(shear.pressures, "pressures of spots") >>
           fixed_length(shear.positions, "points of the contact");
       if (scene.lubricant)
         scene.lubricant->load(archive);

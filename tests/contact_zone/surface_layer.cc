@@ -4,10 +4,10 @@
 
 using namespace asperity;
 
-// The uppermost row of material points stands at 40 times two abscissae; a
-// state that is linear between two of them is met exactly, and one that jumps
-// at the ends of the period goes over to its image.
-TEST(SurfaceLayer, is_linear_along_the_edge_and_goes_on_over_the_period)
+// The uppermost rows of material points stand at 40 times two abscissae; a
+// state that is linear in depth and between two of them is met exactly, and one
+// that jumps at the ends of the period goes over to its image.
+TEST(SurfaceLayer, is_linear_in_depth_and_along_the_edge_over_the_period)
 {
   const SceneParameters      parameters = coarse_scene();
   const Scene                scene(parameters);
@@ -20,17 +20,15 @@ TEST(SurfaceLayer, is_linear_along_the_edge_and_goes_on_over_the_period)
     }
   const auto  points = scene.surface_layer->at_edge(history);
   const auto &edge   = scene.contact->table();
-  double      first = scene.length, top = 0.;
+  double      first  = scene.length;
   for (const auto &position : body.position)
-    {
-      first = std::min(first, position[0]);
-      top   = std::max(top, position[1]);
-    }
+    first = std::min(first, position[0]);
+  const double temperature = 300. + edge.position[0][1] / 1e-6;
   ASSERT_EQ(points.size(), edge.position.size());
   for (std::size_t q = 0; q < points.size(); ++q)
     {
       const double x = edge.position[q][0];
-      EXPECT_NEAR(points[q].temperature, 300. + top / 1e-6, 1e-9);
+      EXPECT_NEAR(points[q].temperature, temperature, 1e-9);
       if (x > first && x < scene.length - first)
         EXPECT_NEAR(points[q].plastic_strain, x / scene.length, 1e-12);
       else
@@ -44,6 +42,21 @@ TEST(SurfaceLayer, is_linear_along_the_edge_and_goes_on_over_the_period)
         }
     }
   EXPECT_NEAR(scene.surface_layer->mean_temperature(history),
-              300. + top / 1e-6,
+              temperature,
               1e-9);
+}
+
+// A strain that falls steeply towards the edge ends at zero there.
+TEST(SurfaceLayer, has_no_negative_strain)
+{
+  const Scene                scene(coarse_scene());
+  const BasisTable          &body    = scene.chip->table();
+  std::vector<MaterialState> history = scene.chip->history();
+  double                     top     = 0.;
+  for (const auto &position : body.position)
+    top = std::max(top, position[1]);
+  for (std::size_t q = 0; q < history.size(); ++q)
+    history[q].plastic_strain = (top - body.position[q][1]) / top;
+  for (const auto &point : scene.surface_layer->at_edge(history))
+    EXPECT_EQ(point.plastic_strain, 0.);
 }

@@ -37,7 +37,7 @@ namespace asperity
 
     /** Gap over which the shear of a spot ends, over the length of an element.
      */
-    double transition = 0.02;
+    double transition = 0.003;
 
     /** Declares the subsection. */
     void

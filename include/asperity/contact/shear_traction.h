@@ -37,7 +37,9 @@ namespace asperity
    * what touches and is wet. The slip of a point is s . (x - x^n) with the s of
    * the end of the step, right to first order in the step, which slides at a
    * constant direction. k and `wet` are those of the start of the step. A gap g
-   * touches to the part 1 - g/delta between 0 and delta.
+   * touches to the part 1 + (p/k)^2 - g/delta, 0 to 1, with the p of the last
+   * step: well inside of a spot a gap that the elements cannot follow is none,
+   * at its ends, where p is small, the gap alone decides.
    *
    * The tangent is exact on each branch, and not symmetric.
    */
@@ -78,10 +80,11 @@ namespace asperity
     void
     accept();
 
-    /** What accept() keeps: tractions and positions of the points. */
+    /** What accept() keeps: tractions, pressures, positions of the points. */
     struct History
     {
       std::vector<double>           tractions; ///< [Pa]
+      std::vector<double>           pressures; ///< one a traction [Pa]
       std::vector<dealii::Point<2>> positions; ///< seen from the obstacle
     };
 
@@ -128,6 +131,7 @@ namespace asperity
     double               transition; ///< delta [m]
 
     std::vector<double> mean_k, mean_wet; ///< per traction
+    std::vector<double> closed_until;     ///< gap that still touches [m]
 
     History                       start;
     std::vector<dealii::Point<2>> position;
@@ -135,6 +139,7 @@ namespace asperity
     std::vector<GapPoint>         gap;
 
     // Per traction.
+    std::vector<double> pressure; ///< p_a
     std::vector<double> mean_slip;
     std::vector<double> traction;    ///< tau_a
     std::vector<double> by_slip;     ///< d tau_a/d<slip>_a, 0 where it slips

@@ -8,7 +8,10 @@
 
 namespace asperity
 {
-  /** The material points of a body that are next to its top edge. */
+  /** The material points of a body that are next to its top edge. What happens
+   *  at the edge itself lies on the straight line through the two uppermost
+   *  points below it: the uppermost ones come closer to it with every
+   * refinement of the mesh, and strain changes by per cents on the way. */
   class SurfaceLayer
   {
   public:
@@ -27,25 +30,39 @@ namespace asperity
     };
 
     /** One for each point of the edge, linear along the edge between the
-     *  material points. */
+     *  material points; a strain is not negative. */
     std::vector<Point>
     at_edge(const std::vector<MaterialState> &history) const;
 
-    /** Mean temperature of the uppermost row of points [K]. */
+    /** Mean temperature of the edge [K]. */
     double
     mean_temperature(const std::vector<MaterialState> &history) const;
 
   private:
-    /** A point of the edge between two material points. */
+    /** Two material points, one above the other. */
+    struct Column
+    {
+      unsigned int top, below;
+      double       beyond; ///< way from the upper one to the edge, over theirs
+    };
+
+    static std::vector<Column>
+    columns_under(const BasisTable &body, const BasisTable &edge);
+
+    Point
+    at_top(const std::vector<MaterialState> &history,
+           const Column                     &column) const;
+
+    /** A point of the edge between two columns. */
     struct Place
     {
       unsigned int left, right;
       double       weight; ///< of the right one
     };
 
-    std::vector<unsigned int> uppermost;
-    std::vector<double>       area; ///< of each of these [m^2]
-    std::vector<Place>        places;
+    std::vector<Column> columns; ///< in the order of the first parameter
+    std::vector<double> area;    ///< of the uppermost points [m^2]
+    std::vector<Place>  places;
   };
 } // namespace asperity
 
