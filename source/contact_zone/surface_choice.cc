@@ -13,11 +13,9 @@ namespace asperity
 {
   namespace
   {
-    constexpr double spike_threshold        = 8.;
-    constexpr double largest_spike_fraction = 0.002;
-    constexpr double largest_hole_fraction  = 0.01;
-    constexpr double worthwhile_form        = 0.8; ///< Sq after over before
-  }                                                // namespace
+    constexpr double largest_hole_fraction = 0.01;
+    constexpr double worthwhile_form       = 0.8; ///< Sq after over before
+  }                                               // namespace
 
 
 
@@ -71,10 +69,10 @@ namespace asperity
   void
   SurfaceChooser::choose_spikes()
   {
-    if (map.ny == 1 || map.n_valid() < 100)
+    if (map.ny == 1 || map.n_valid() < smallest_map_with_spikes)
       return;
     HeightMap         without = map;
-    const std::size_t n       = remove_spikes(without, spike_threshold);
+    const std::size_t n       = remove_spikes(without, usual_spike_threshold);
     const double      share   = double(n) / map.n_valid();
     const std::string found = std::to_string(n) + " points (" + percent(share) +
                               ") differ from their "

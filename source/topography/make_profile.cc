@@ -11,6 +11,8 @@
 #include <cstdio>
 #include <tuple>
 
+#include "treatment_warnings.h"
+
 namespace asperity
 {
   namespace
@@ -152,6 +154,8 @@ namespace asperity
             format_number(p.spike_threshold) +
             " robust standard deviations were declared missing.");
         }
+      else
+        report.spikes = mark_spikes(map);
       report.window  = choose_window(p, map);
       const Window w = report.window;
       if (p.crop != CropChoice::none)
@@ -388,6 +392,7 @@ namespace asperity
     report.map = treat_map(parameters, report);
     take_profile(parameters, report.map, report);
     finish_profile(parameters, report);
+    warn_of_treatment(report);
     return report.profile;
   }
 } // namespace asperity

@@ -77,6 +77,90 @@ TEST(MakeProfile, of_a_wavy_surface)
     EXPECT_EQ(report.steps[i].find(steps[i]), 0u) << report.steps[i];
 }
 
+namespace
+{
+  /** Of a map of 200 x 40 points of 0.1 um that is z(x) with a noise of 10 nm
+   *  and a spike of this height on row 20. */
+  std::vector<std::string>
+  warnings_of(const std::function<double(double)> &z,
+              const double                         spike,
+              const std::string                   &entries)
+  {
+    unsigned int seed = 7;
+    auto map = make_map(200, 40, 0.1e-6, 0.1e-6, [&](const double x, double) {
+      seed = 1664525u * seed + 1013904223u;
+      return z(x) + 1e-8 * ((seed >> 16) % 1000) / 1000.;
+    });
+    map(60, 20) += spike;
+    const auto file = write_bytes("doubtful.x3p", "");
+    write_x3p(map, file);
+    TopographyReport report;
+    make_profile(parse("set File = " + file + "\nset F-operator = none\n" +
+                       entries),
+                 report);
+    return report.warnings;
+  }
+
+  double
+  symmetric_wave(const double x)
+  {
+    return 0.3e-6 * std::cos(2. * pi * x / 5e-6);
+  }
+} // namespace
+
+TEST(MakeProfile, warns_of_spikes_that_nothing_removes)
+{
+  const std::string row = "set Profile position = row 20\n";
+  const auto        found =
+    warnings_of(symmetric_wave, 0.5e-6, row + "set Spike threshold = 0\n");
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].find("Spike threshold = 0 leaves 1 point in the profile "
+                          "that stands out of the neighbours by more than 8 "
+                          "robust standard deviations"),
+            0u)
+    << found[0];
+  EXPECT_TRUE(
+    warnings_of(symmetric_wave, 0.5e-6, row + "set Spike threshold = 8\n")
+      .empty());
+  EXPECT_TRUE(warnings_of(symmetric_wave, 0., row).empty());
+  // beside the profile
+  EXPECT_TRUE(
+    warnings_of(symmetric_wave, 0.5e-6, "set Profile position = row 10\n")
+      .empty());
+  // and after a crop
+  EXPECT_EQ(warnings_of(symmetric_wave,
+                        0.5e-6,
+                        "set Crop = window\nset Crop rows = 15 .. 30\n"
+                        "set Profile position = row 5\n")
+              .size(),
+            1u);
+}
+
+TEST(MakeProfile, warns_of_a_trend_that_the_ends_do_not_have)
+{
+  // sin over one period, whose least-squares line rises by -6/pi a over it, 95
+  // % of its peak to valley, although it fits its own start.
+  const auto sine = [](const double x) {
+    return 0.3e-6 * std::sin(2. * pi * x / 20e-6);
+  };
+  const auto found = warnings_of(sine, 0., "");
+  ASSERT_GE(found.size(), 1u);
+  EXPECT_EQ(found[0].find("The periodic continuation tilts the profile by "),
+            0u)
+    << found[0];
+  EXPECT_NE(found[0].find(" % of peak to valley, although its ends fit better "
+                          "without"),
+            std::string::npos)
+    << found[0];
+  for (const std::string &warning :
+       warnings_of(sine, 0., "set Periodic continuation = none\n"))
+    EXPECT_EQ(warning.find("tilts"), std::string::npos) << warning;
+  // A ramp has one.
+  for (const std::string &warning : warnings_of(
+         [&](const double x) { return symmetric_wave(x) + 0.1 * x; }, 0., ""))
+    EXPECT_EQ(warning.find("tilts"), std::string::npos) << warning;
+}
+
 TEST(MakeProfile, crop_by_lengths_and_by_samples_agree)
 {
   const std::string common =

@@ -50,7 +50,8 @@ C24 = Mode(
     "points, smooth or with a kink; 1000 other runs",
     "the 95 % interval holds at least 90 % of them",
     "Within its points the interval holds what it says, but for 5 % of noise "
-    "on 80 points (83 % instead of 95), and a slab without points is told.",
+    "on 80 points (83 % instead of 95), and that and a slab without points "
+    "are told.",
     Axis("noise", "relative noise of a run"),
     Axis("face", "training points", FACES),
     Axis("law", "law"), ["coverage", "miss", "error"],
@@ -112,12 +113,12 @@ def fitted(cell, means):
         return {"height": float(np.abs(off).max() / np.ptp(z))}
     also = {"map.txt": text}
     result = means.run(entries, read, command="topography", also=also,
-                       output="Output directory", about="neighbours")
+                       output="Output directory", about="neighbours|tilts")
     if result.ended == "values" and exceeds(result.values, FIT):
         scene = {f"Tool/{path}": value for path, value in entries.items()}
         told = means.run({"Tool/Kind": "measured", **scene}, lambda _: {},
                          command="check", also=also,
-                         about="steeper than|neighbours|spike")
+                         about="steeper than|neighbours|tilts")
         result.ended = "warned" if told.sentence else "values"
         result.sentence = told.sentence
     return result
@@ -130,10 +131,11 @@ C27 = Mode(
     "height of a spike of the microscope over the rms roughness, kind of the "
     "surface, search for spikes",
     "largest error of the profile below 10 % of its peak-to-valley height",
-    "Searched for, spikes from three times the roughness on are found; left "
-    "in, high ones are told by the slope that they make, but one of the "
-    "height of the roughness moves the profile by 19 to 37 % without a word. "
-    "The smoothing of a sharp step is 10 % of its height.",
+    "Searched for, spikes of the height of the roughness and more are found; "
+    "left in, the profile is told to have one. The line that is taken off a "
+    "profile before it is closed to a period tilts one with a step, or with "
+    "few waves, by up to 10 % of its height, which is told where the ends fit "
+    "better without.",
     Axis("spike", "height of a spike over the rms roughness"),
     Axis("kind", "surface", KINDS), Axis("treatment", "treatment"),
     ["height"],

@@ -23,8 +23,12 @@ namespace asperity
     std::vector<std::string> warnings;
 
     std::size_t n_spikes = 0;
-    Window      window; // of the file that was used
-    double      Sq_before_form = 0.;
+
+    /** Zeros, missing where spikes were not searched for and may be; or empty.
+     */
+    HeightMap spikes;
+    Window    window; // of the file that was used
+    double    Sq_before_form = 0.;
 
     /** After form removal and filters. */
     HeightMap      map;

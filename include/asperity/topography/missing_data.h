@@ -24,6 +24,14 @@ namespace asperity
   HeightMap
   crop(const HeightMap &map, const Window &window);
 
+  /** Robust standard deviations beyond which points are taken for errors of the
+   *  instrument, if they are no larger part of the surface than this. */
+  constexpr double usual_spike_threshold  = 8.;
+  constexpr double largest_spike_fraction = 0.002;
+
+  /** Points that a search for spikes needs. */
+  constexpr std::size_t smallest_map_with_spikes = 100;
+
   /**
    * Declare spikes missing: points that (after removal of a plane) differ from
    * the median of their up to 24 neighbours by more than @p threshold times the
