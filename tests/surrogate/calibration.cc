@@ -47,6 +47,26 @@ TEST(Calibration, tells_a_face_without_runs)
 
 
 
+// The mean of |noise| is 0.8 of its deviation.
+TEST(Calibration, tells_runs_that_scatter_too_much)
+{
+  const auto told = [](const double noise) {
+    std::string found;
+    for (const std::string &warning :
+         judge(dry, noise, 80, everything).warnings)
+      if (warning.find("Runs that are left out lie ") == 0)
+        found = warning;
+    return found;
+  };
+  EXPECT_EQ(told(0.01), "");
+  EXPECT_NE(told(0.06).find(
+              " % off the law in the mean, where 3 % is the most"),
+            std::string::npos)
+    << told(0.06);
+}
+
+
+
 // A slab at one face of the box without a run: the error stays small, and the
 // band knows of most of it, but not of a change of behaviour that it has not
 // seen. So a law is trusted inside of its box only.

@@ -279,7 +279,7 @@ namespace
                                   });
     std::string   warning;
     for (const std::string &text : quality.warnings)
-      if (text.find("No run lies") == 0)
+      if (text.find("No run lies") == 0 || text.find("Runs that are left") == 0)
         warning = text;
     return {{{"coverage", quality.coverage}, {"error", quality.error}},
             warning};
