@@ -54,7 +54,7 @@ namespace asperity
         step->save(archive);
       const SolidStep::State motion = run.solid_step().state();
       if (run.solid_step().is_dynamic())
-        archive << motion.v << motion.a << motion.forces;
+        archive << motion.v << motion.a << motion.forces << motion.energy;
     });
   }
 
@@ -89,7 +89,7 @@ namespace asperity
       if (run.solid_step().is_dynamic())
         archive >> fixed_length(motion.v, "velocities") >>
           fixed_length(motion.a, "accelerations") >>
-          fixed_length(motion.forces, "forces");
+          fixed_length(motion.forces, "forces") >> motion.energy;
     });
     motion.u = state.u;
     run.solid_step().set_state(motion);

@@ -34,6 +34,20 @@ namespace asperity
              "Heat/Model = conducting would tell more."));
     }
 
+    /** That tool, oil and load have done on the chip since the start [J/m]. */
+    double
+    work_on_chip(const SlidingRun &run)
+    {
+      const std::vector<FrictionRow> &rows = run.state().rows;
+      double                          work = 0.;
+      for (std::size_t i = 1; i < rows.size(); ++i)
+        work +=
+          std::abs(rows[i].T_x *
+                   (rows[i].sliding_distance - rows[i - 1].sliding_distance)) +
+          std::abs(rows[i].T_y * (rows[i].mean_gap - rows[i - 1].mean_gap));
+      return work;
+    }
+
     /** Whether the oil shears as no oil does: the limiting stress grows
      *  linearly with the pressure, so that its mean over the period belongs
      *  to the mean pressure. */
@@ -83,6 +97,11 @@ namespace asperity
     if (const std::string excess = run.excess_shear(); !excess.empty())
       warnings.push_back(excess);
     warn_of_oil_shear(run, run.period(), parameters, warnings);
+    for (const std::string &warning :
+         {run.coarse_film(),
+          run.solid_step().energy().warning(work_on_chip(run))})
+      if (!warning.empty())
+        warnings.push_back(warning);
     const LubricantModel model = parameters.lubrication.model;
     const bool           has_residual_film =
       model == LubricantModel::reynolds ||

@@ -46,6 +46,7 @@ namespace asperity
       return;
     SolidStep::State start = step->state();
     start.v                = scene.translation(parameters.load.velocity, 0.);
+    step->set_frame(start.v);
     if (scene.gap_flow != nullptr)
       scene.gap_flow->add(start.u, start.forces, nullptr);
     step->set_state(start);

@@ -1,5 +1,6 @@
 #include <asperity/contact_zone/scene_heat.h>
 #include <asperity/contact_zone/sliding_run.h>
+#include <asperity/lubricant/film_term.h>
 
 #include <algorithm>
 #include <cmath>
@@ -116,6 +117,15 @@ namespace asperity
            " where the chip itself bears " +
            format_quantity(k[worst], "MPa", 3) +
            ": try Interface/Shear law = limited Coulomb.";
+  }
+
+
+
+  std::string
+  SlidingRun::coarse_film() const
+  {
+    const auto *film = dynamic_cast<const FilmTerm *>(scene.lubricant.get());
+    return film == nullptr ? "" : film->coarseness();
   }
 
 

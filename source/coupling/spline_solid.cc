@@ -46,10 +46,13 @@ namespace asperity
     load.set_force(force);
     Vector loads(u.size());
     interface.add_loads(force, loads);
-    largest_load = std::max(largest_load, loads.l2_norm());
+    present_load = loads.l2_norm();
 
+    // Not those of iterations that have diverged: beside them any residual
+    // would be small.
     NewtonOptions newton_options;
-    newton_options.tolerance          = options.tolerance * largest_load;
+    newton_options.tolerance =
+      options.tolerance * std::max(largest_load, present_load);
     newton_options.maximum_iterations = options.maximum_iterations;
     const ConvergenceReport report = step.solve(u, newton_options, statistics_);
     displacement                   = interface.interpolate(u);
@@ -75,6 +78,7 @@ namespace asperity
   SplineSolid::accept()
   {
     step.accept(u);
+    largest_load = std::max(largest_load, present_load);
   }
 
 

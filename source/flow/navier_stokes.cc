@@ -123,7 +123,7 @@ namespace asperity
     dt = new_dt;
     BackwardDifference rate;
     if (options.scheme == FluidTimeScheme::bdf2 && n_steps > 0 &&
-        dt <= largest_growth * dt_old)
+        dt <= (1. + 1e-9) * largest_growth * dt_old)
       rate = BackwardDifference::bdf2(dt, dt_old);
     else if (options.scheme != FluidTimeScheme::steady)
       rate = BackwardDifference::implicit_euler(dt);

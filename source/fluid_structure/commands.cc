@@ -7,6 +7,7 @@
 #include <asperity/base/text.h>
 #include <asperity/base/version.h>
 #include <asperity/contact_zone/scene_checkpoint.h>
+#include <asperity/coupling/coupling_warnings.h>
 #include <asperity/fluid_structure/commands.h>
 #include <asperity/fluid_structure/fluid_structure_output.h>
 #include <asperity/postprocess/output_folder.h>
@@ -56,10 +57,13 @@ namespace asperity
     std::vector<std::string>
     notes_on(const ProblemInput &input)
     {
-      const std::string note =
-        input.parameters.unused_entries(input.declarator);
-      return note.empty() ? std::vector<std::string>{} :
-                            std::vector<std::string>{note};
+      std::vector<std::string> notes;
+      for (const std::string &note :
+           {input.parameters.unused_entries(input.declarator),
+            loose_tolerance_warning(input.parameters.coupling)})
+        if (!note.empty())
+          notes.push_back(note);
+      return notes;
     }
 
     void
@@ -201,6 +205,28 @@ namespace asperity
 
 
 
+  namespace
+  {
+    /** A sentence if steps have been cut, after which the run is on another
+     *  grid in time: by tools/stability, C2, the first steps of a pulse change
+     *  by 5 to 25 %. */
+    std::string
+    warning_of_cuts(const FluidStructureRun &run)
+    {
+      if (run.n_cuts() == 0)
+        return "";
+      return "Steps had no solution at the length that Time/Steps asks for and "
+             "were halved " +
+             std::to_string(run.n_cuts()) +
+             " times, where none is expected: motions that have just begun are "
+             "5 to 25 % off on such a grid of times; take Coupling/Scheme = "
+             "Robin-Neumann, raise Coupling/Maximum iterations or shorten "
+             "Time/Steps.";
+    }
+  } // namespace
+
+
+
   bool
   describes_fluid_structure(const std::string &file)
   {
@@ -253,6 +279,11 @@ namespace asperity
                 << "\n";
     FluidStructureOutput output(parameters, input.record, run);
     compute(parameters, output, run);
+    if (const std::string warning = warning_of_cuts(run); !warning.empty())
+      {
+        print_notes({warning});
+        notes.push_back(warning);
+      }
     output.finish(run, notes, timer.wall_time());
     print_result(run, parameters, timer.wall_time());
     return 0;

@@ -1,3 +1,4 @@
+#include <asperity/base/quantity.h>
 #include <asperity/lubricant/reynolds_film.h>
 
 #include <deal.II/base/exceptions.h>
@@ -8,6 +9,29 @@
 
 namespace asperity
 {
+  namespace
+  {
+    /** Of the viscosity between two cells. The slider of two to one with 20
+     *  cells has 2 % too much load at 1.47 and 7 % at 2.2. */
+    constexpr double coarse_change = 1.4;
+
+    /** On both sides of a face that has a cell on each. */
+    std::pair<ViscosityValue, ViscosityValue>
+    viscosities(const ReynoldsFilm           &film,
+                const unsigned int            face,
+                const FilmGeometry           &geometry,
+                const std::vector<FilmState> &states)
+    {
+      const FilmFace &at   = geometry.faces[face];
+      const double    rate = std::abs(at.sliding_speed) / at.gap;
+      const auto     &law  = film.lubricant().viscosity();
+      return {law.evaluate(rate, states[*film.left_cell(face)].pressure),
+              law.evaluate(rate, states[*film.right_cell(face)].pressure)};
+    }
+  } // namespace
+
+
+
   FilmComplementarity
   fischer_burmeister(const FilmState &state, const double pressure_scale)
   {
@@ -202,17 +226,13 @@ namespace asperity
   ReynoldsFilm::warning(const FilmGeometry           &geometry,
                         const std::vector<FilmState> &states) const
   {
-    const LubricantViscosity &law = lubricant_.viscosity();
-    if (law.is_constant())
+    if (lubricant_.viscosity().is_constant())
       return "";
     for (unsigned int f = 0; f < n_faces(); ++f)
       {
         if (!left_cell(f) || !right_cell(f))
           continue;
-        const FilmFace &face = geometry.faces[f];
-        const double    rate = std::abs(face.sliding_speed) / face.gap;
-        const auto left  = law.evaluate(rate, states[*left_cell(f)].pressure);
-        const auto right = law.evaluate(rate, states[*right_cell(f)].pressure);
+        const auto [left, right]  = viscosities(*this, f, geometry, states);
         const std::string between = " between the cells " +
                                     std::to_string(*left_cell(f)) + " and " +
                                     std::to_string(*right_cell(f));
@@ -224,5 +244,39 @@ namespace asperity
                  between + ": its pressure runs away or the grid is too coarse";
       }
     return "";
+  }
+
+
+
+  std::string
+  ReynoldsFilm::coarseness(const FilmGeometry           &geometry,
+                           const std::vector<FilmState> &states) const
+  {
+    if (lubricant_.viscosity().is_constant())
+      return "";
+    double       largest = 0.;
+    unsigned int worst   = 0;
+    for (unsigned int f = 0; f < n_faces(); ++f)
+      {
+        if (!left_cell(f) || !right_cell(f))
+          continue;
+        const auto [left, right] = viscosities(*this, f, geometry, states);
+        const double change      = std::abs(std::log(left.value / right.value));
+        if (change > largest)
+          {
+            largest = change;
+            worst   = f;
+          }
+      }
+    if (largest <= std::log(coarse_change))
+      return "";
+    return "The viscosity of the oil changes by a factor of " +
+           format_quantity(std::exp(largest), "1", 3) + " between the cells " +
+           std::to_string(*left_cell(worst)) + " and " +
+           std::to_string(*right_cell(worst)) +
+           " of the film, where less than " +
+           format_quantity(coarse_change, "1", 2) +
+           " is expected: the load of a slider is 2 to 7 % off then; raise "
+           "Mesh/Spans or Mesh/Refinement levels.";
   }
 } // namespace asperity

@@ -13,6 +13,7 @@ namespace asperity
     , equilibrium(equilibrium)
     , motion(spectral_radius.value_or(1.))
     , old_forces(u.size())
+    , frame(u.size())
   {
     motion.u = u;
     motion.v = motion.a = old_forces;
@@ -28,6 +29,34 @@ namespace asperity
   SolidStep::is_dynamic() const
   {
     return mass != nullptr;
+  }
+
+
+
+  void
+  SolidStep::set_frame(const Vector &velocity)
+  {
+    frame = velocity;
+  }
+
+
+
+  const MotionEnergy &
+  SolidStep::energy() const
+  {
+    return energy_;
+  }
+
+
+
+  MotionEnergy::End
+  SolidStep::end_in_frame(const double time) const
+  {
+    MotionEnergy::End end{motion.u, motion.v, old_forces};
+    end.u.add(-time, frame);
+    end.v -= frame;
+    end.forces *= -1.;
+    return end;
   }
 
 
@@ -109,11 +138,13 @@ namespace asperity
   {
     if (is_dynamic())
       {
+        const MotionEnergy::End before = end_in_frame(0.);
         // Before the history moves on: the forces belong to this step.
         equilibrium.forces(u, old_forces);
         if (load.size() > 0)
           old_forces -= load;
         motion.advance(u, dt);
+        energy_.add(*mass, before, end_in_frame(dt));
       }
     else
       motion.u = u;
@@ -125,7 +156,7 @@ namespace asperity
   SolidStep::State
   SolidStep::state() const
   {
-    return {motion.u, motion.v, motion.a, old_forces};
+    return {motion.u, motion.v, motion.a, old_forces, energy_};
   }
 
 
@@ -137,6 +168,7 @@ namespace asperity
     motion.v   = state.v;
     motion.a   = state.a;
     old_forces = state.forces;
+    energy_    = state.energy;
     forget_tangent();
   }
 
@@ -145,7 +177,7 @@ namespace asperity
   void
   SolidStep::State::save(OutputArchive &archive) const
   {
-    archive << u << v << a << forces;
+    archive << u << v << a << forces << energy;
   }
 
 
@@ -155,5 +187,6 @@ namespace asperity
   {
     for (Vector *x : {&u, &v, &a, &forces})
       archive >> fixed_length(*x, "unknowns of a body");
+    archive >> energy;
   }
 } // namespace asperity

@@ -105,7 +105,7 @@ TEST(SceneWarnings, of_choices_that_the_stability_map_shows_to_fail)
   parameters.protocol.inertia = Inertia::dynamic;
   EXPECT_FALSE(says(audit(), "degree 1"));
   EXPECT_FALSE(says(audit(), "Gauss-point"));
-  EXPECT_FALSE(says(audit(), "spectral radius"));
+  EXPECT_FALSE(says(audit(), "nothing damps"));
   EXPECT_FALSE(says(audit(), "penalty is soft"));
   parameters.contact.penalty_factor = 0.05;
   EXPECT_TRUE(
@@ -201,4 +201,46 @@ TEST(SceneWarnings, of_a_load_that_grows_too_long_or_too_fast)
   EXPECT_FALSE(says(audit(), "transits"));
   parameters.protocol.ramp_fraction = 0.05;
   EXPECT_TRUE(says(audit(), "The load grows within 7.3 transits"));
+}
+
+TEST(SceneWarnings, of_penalties_that_are_too_soft_or_too_hard)
+{
+  SceneParameters parameters = coarse_scene();
+  const auto      audit      = [&parameters]() {
+    return audit_scene(parameters, Scene(parameters)).warnings;
+  };
+  EXPECT_FALSE(says(audit(), "enalty"));
+  parameters.contact.penalty_factor = 1.;
+  EXPECT_TRUE(says(audit(), "With a penalty factor of 1 small contacts"));
+  parameters.contact.augmentations = 5;
+  EXPECT_FALSE(says(audit(), "small contacts"));
+  parameters.contact.penalty_factor = 1e8;
+  EXPECT_TRUE(says(audit(), "the rounding of positions"));
+}
+
+TEST(SceneWarnings, of_a_loose_tolerance_between_chip_and_flow)
+{
+  SceneParameters parameters   = coarse_scene();
+  parameters.lubrication.model = LubricantModel::stokes;
+  parameters.protocol.inertia  = Inertia::dynamic;
+  const auto audit             = [&parameters]() {
+    return audit_scene(parameters, Scene(parameters)).warnings;
+  };
+  EXPECT_FALSE(says(audit(), "Coupling/Tolerance"));
+  EXPECT_FALSE(says(audit(), "goes on ringing"));
+  parameters.lubrication.coupling.tolerance = 1e-3;
+  EXPECT_TRUE(says(audit(), "With Coupling/Tolerance = 0.001"));
+}
+
+TEST(SceneWarnings, of_a_chip_that_rings_in_long_steps)
+{
+  SceneParameters parameters = coarse_scene();
+  const auto      audit      = [&parameters]() {
+    return audit_scene(parameters, Scene(parameters)).warnings;
+  };
+  EXPECT_FALSE(says(audit(), "goes on ringing"));
+  parameters.protocol.inertia = Inertia::dynamic;
+  EXPECT_TRUE(says(audit(), "expected with such steps is Protocol/Spectral"));
+  parameters.protocol.spectral_radius = 0.;
+  EXPECT_FALSE(says(audit(), "goes on ringing"));
 }

@@ -1,5 +1,5 @@
 #include <asperity/base/errors.h>
-#include <asperity/coupling/coupling_parameters.h>
+#include <asperity/coupling/coupling_warnings.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -48,4 +48,20 @@ TEST(CouplingParameters, refuse_values_out_of_range)
                    InputError)
         << entry;
     }
+}
+
+
+
+TEST(CouplingParameters, warn_of_a_loose_tolerance)
+{
+  CouplingParameters coupling;
+  EXPECT_EQ(loose_tolerance_warning(coupling), "");
+  coupling.tolerance = 1e-4;
+  EXPECT_EQ(loose_tolerance_warning(coupling), "");
+  coupling.tolerance = 1e-3;
+  EXPECT_EQ(loose_tolerance_warning(coupling).find(
+              "With Coupling/Tolerance = 0.001 the iterations end so "
+              "early"),
+            0u)
+    << loose_tolerance_warning(coupling);
 }

@@ -140,6 +140,32 @@ TEST(ReynoldsFilm, piezoviscous_slider_follows_the_reduced_pressure)
 
 
 
+TEST(ReynoldsFilm, cells_too_long_for_the_pressure_are_told)
+{
+  // ln(1 - alpha q)/alpha changes most beside the peak of q = 1/4.
+  const auto told = [](const double alpha, const unsigned int n) {
+    LubricantParameters oil            = unit_oil();
+    oil.viscosity.pressure_law         = PressureLaw::barus;
+    oil.viscosity.pressure_coefficient = alpha;
+    const FilmWalls        walls       = slider(2., n);
+    const ReynoldsFilm     film(oil, n, open_ends());
+    std::vector<FilmState> states(n);
+    EXPECT_TRUE(film.solve(walls.geometry(), FilmStep(), states).converged);
+    return film.coarseness(walls.geometry(), states);
+  };
+  EXPECT_EQ(told(0., 20), "");
+  EXPECT_EQ(told(3., 20), "");
+  EXPECT_EQ(told(3.8, 200), "");
+  const std::string warning = told(3.8, 20);
+  EXPECT_EQ(warning.find("The viscosity of the oil changes by a factor of "),
+            0u)
+    << warning;
+  EXPECT_NE(warning.find("where less than 1.4 is expected"), std::string::npos)
+    << warning;
+}
+
+
+
 TEST(ReynoldsFilm, piezoviscous_blow_up_is_reported)
 {
   for (const double alpha : {4., 4.2, 6., 40.})

@@ -43,8 +43,8 @@ C8 = Mode(
     "penalty factor, elements on the half-width, formulation and degree",
     "L2 error of the pressure of Hertz below 10 %",
     "From a factor of 8 on the mortar form is right with four elements on the "
-    "half-width; a factor of 1 there is 11 and 14 % off without a word, and "
-    "softer ones are told, as is the Gauss-point form from 100 on.",
+    "half-width; a factor of 1 there is 11 and 14 % off, which is told as "
+    "softer ones are, and the Gauss-point form from 100 on.",
     Axis("penalty", PENALTY), Axis("elements", "elements on the half-width"),
     METHOD, ["pressure", "force", "iterations"],
     lambda full: grid(
@@ -101,7 +101,7 @@ C13 = Mode(
     "iterations",
     "The set settles in a few iterations everywhere. With 1e4 and more times "
     "the usual penalty the round-off of positions is a pressure of 1e-11 of "
-    "E.",
+    "E, which is told.",
     Axis("shift", "way over height"),
     Axis("penalty", "penalty over E/height"), FORMULATION,
     ["pressure", "iterations"],

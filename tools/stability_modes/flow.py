@@ -76,8 +76,9 @@ C22 = Mode(
     "pressure coefficient over that of the slider, cells",
     "load within 2 % of the exact one",
     "Up to 99 % of the limit the load is right on 50 cells and more; 20 cells "
-    "are 2 to 7 % off from alpha = 3.5 on without a word, and beyond the "
-    "limit the film says that its pressure runs away.",
+    "are 2 to 7 % off from alpha = 3.5 on, which the change of the viscosity "
+    "from cell to cell tells, and beyond the limit the film says that its "
+    "pressure runs away.",
     Axis("alpha", "pressure coefficient alpha U eta L/h^2"),
     Axis("cells", "cells"), Axis("film", "film"), ["load"],
     lambda full: grid(film=["slider 2 : 1"],

@@ -114,6 +114,11 @@ namespace asperity
     std::string
     excess_shear() const;
 
+    /** A sentence if the cells of the oil film are too long for its pressure,
+     *  at the last accepted step; or empty. */
+    std::string
+    coarse_film() const;
+
     const NewtonStatistics &
     newton_statistics() const;
 

@@ -82,7 +82,8 @@ namespace asperity
     Equilibrium        equilibrium;
     Vector             u;
     SolidStep          step;
-    double             largest_load;
+    double             largest_load;      ///< of accepted steps [N/m]
+    double             present_load = 0.; ///< of the step [N/m]
     NewtonStatistics   statistics_;
   };
 } // namespace asperity

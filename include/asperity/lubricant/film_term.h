@@ -104,6 +104,13 @@ namespace asperity
     std::string
     reason() const override;
 
+    /** ReynoldsFilm::coarseness() at the last evaluation. */
+    std::string
+    coarseness() const
+    {
+      return film.coarseness(film_geometry, states);
+    }
+
     /** The oil goes on from the fluxes of the step: none is lost, whatever the
      *  tolerance of the solution. */
     void

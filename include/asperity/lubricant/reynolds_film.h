@@ -168,6 +168,12 @@ namespace asperity
     warning(const FilmGeometry           &geometry,
             const std::vector<FilmState> &states) const;
 
+    /** A sentence if the viscosity changes by so much between two cells that
+     *  the load is per cents off, else empty. */
+    std::string
+    coarseness(const FilmGeometry           &geometry,
+               const std::vector<FilmState> &states) const;
+
     /** @throws InputError as the constructor */
     void
     set_lubricant(const LubricantParameters &lubricant);

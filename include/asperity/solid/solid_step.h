@@ -2,6 +2,7 @@
 #define asperity_solid_solid_step_h
 
 #include <asperity/solid/equilibrium.h>
+#include <asperity/solid/motion_energy.h>
 #include <asperity/solid/solid_assembler.h>
 #include <asperity/time_integration/generalized_alpha.h>
 
@@ -39,6 +40,15 @@ namespace asperity
 
     bool
     is_dynamic() const;
+
+    /** Energy is that of the motion relative to this velocity [m/s], at which
+     *  the prescribed components move; without, they are at rest. */
+    void
+    set_frame(const Vector &velocity);
+
+    /** Of a dynamic body since the start of the run. */
+    const MotionEnergy &
+    energy() const;
 
     /**
      * Sets the length of the step [s] and its inertia.
@@ -84,6 +94,9 @@ namespace asperity
        *  quasi-static body that starts at rest. */
       Vector u, v, a, forces;
 
+      /** Since the start of the run. */
+      MotionEnergy energy;
+
       void
       save(OutputArchive &archive) const;
 
@@ -101,11 +114,17 @@ namespace asperity
     set_state(const State &state);
 
   private:
+    /** The end of the last accepted step in the frame, where that has gone
+     *  this way since [s]. */
+    MotionEnergy::End
+    end_in_frame(const double time) const;
+
     SolidAssembler                               &solid;
     Equilibrium                                  &equilibrium;
     GeneralizedAlpha                              motion;
     std::unique_ptr<dealii::SparseMatrix<double>> mass; ///< nullptr: static
-    Vector                                        old_forces, load;
+    Vector                                        old_forces, load, frame;
+    MotionEnergy                                  energy_;
     double                                        dt          = 0.;
     bool                                          has_tangent = false;
   };

@@ -223,7 +223,7 @@ namespace
 
   /** C22: a slider of gap 2 to 1 whose oil follows Barus; load against
    *  int -ln(1 - alpha q)/alpha, q the pressure of a Newtonian oil. */
-  Values
+  Answer
   piezoviscous_slider(const Cell &cell)
   {
     const double       alpha = cell.number("alpha");
@@ -257,8 +257,9 @@ namespace
         const double q = 2. * (2. - h) * (h - 1.) / (h * h);
         exact += (alpha > 0. ? -std::log(1. - alpha * q) / alpha : q) / 100000.;
       }
-    return {
-      {"load", std::abs(film_forces(film, walls, states).load / exact - 1.)}};
+    return {{{"load",
+              std::abs(film_forces(film, walls, states).load / exact - 1.)}},
+            film.coarseness(walls.geometry(), states)};
   }
 } // namespace
 

@@ -98,6 +98,12 @@ namespace
       return -contact.state().force[1];
     }
 
+    const MotionEnergy &
+    energy() const
+    {
+      return step->energy();
+    }
+
     double
     kinetic_energy() const
     {
@@ -151,7 +157,7 @@ namespace
 
   /** C12: the bar leaves with the velocity with which it came, after 2 L/c
    *  under the pressure rho c v. */
-  Values
+  Answer
   bar_impact(const Cell &cell)
   {
     FlyingBar    bar(cell.number("penalty"), cell.number("rho"));
@@ -169,10 +175,13 @@ namespace
         highest = std::max(highest, bar.kinetic_energy());
       }
     const double pressure = FlyingBar::wave * FlyingBar::speed;
-    return {{"velocity", std::abs(bar.mean_velocity() / FlyingBar::speed + 1.)},
-            {"energy", highest / energy - 1.},
-            {"overshoot", largest / pressure - 1.},
-            {"impulse", std::abs(impulse / (pressure * contact_time) - 1.)}};
+    return {{{"velocity",
+              std::abs(bar.mean_velocity() / FlyingBar::speed + 1.)},
+             {"energy", highest / energy - 1.},
+             {"lost", bar.energy().lost_part(0.)},
+             {"overshoot", largest / pressure - 1.},
+             {"impulse", std::abs(impulse / (pressure * contact_time) - 1.)}},
+            bar.energy().warning(0.)};
   }
 } // namespace
 
