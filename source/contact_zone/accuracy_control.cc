@@ -16,8 +16,9 @@ namespace asperity
                      cost_of_penalty = 1.1;
 
     /** Part of the wanted error that an estimate may use up, which is smaller
-     *  than this part of the error in one of six reference scenes; and that of
-     *  a choice made on coarser settings. */
+     *  than this part of the error in five of forty scenes
+     *  (tools/benchmarks/README.md); and that of a choice made on coarser
+     *  settings. */
     constexpr double safety = 0.7, safety_of_choice = 0.6;
 
     /** Most halvings at once, of elements and of the others. Estimates reach no

@@ -14,20 +14,17 @@ namespace asperity
      *  what plastic flow takes. */
     constexpr int mesh_order = 2;
 
-    /** What halving elements or steps changes over the error that is left, if
-     *  the error has an order q: 2^q - 1 where errors of both runs have one
-     *  sign, (2^2q + 1)^(1/2) where signs are left to chance. Both are seen, so
-     *  that their geometric mean counts. */
+    /** What halving elements, steps or penalty changes over the error that is
+     *  left, if the error has an order: the extrapolation of Richardson. */
     double
     change_over_error(const int order)
     {
-      const double ratio = std::ldexp(1., order);
-      return std::sqrt((ratio - 1.) * std::hypot(ratio, 1.));
+      return std::ldexp(1., order) - 1.;
     }
 
-    /** Elements that a run has to pass for one with elements twice as long to
-     *  tell of its steps and its penalty. */
-    constexpr double enough_elements = 4.;
+    /** Relative change of mu by elements twice as long above which these do not
+     *  resolve the contacts, and tell nothing of steps and penalty. */
+    constexpr double largest_change = 0.05;
   } // namespace
 
 
@@ -43,8 +40,8 @@ namespace asperity
        {"estimate", AccuracyControl::estimate},
        {"adaptive", AccuracyControl::adaptive}},
       "`estimate`: coarser companions of the run tell the numerical error of "
-      "mu by mesh, time steps and penalty, for as much time again as the run "
-      "took or, where the chip slides over a few elements only, twice as much; "
+      "mu by mesh, time steps and penalty, for about as much time again as "
+      "the run took or, where its elements are far too long, twice as much; "
       "`adaptive`: runs at finer and finer settings until that error is the "
       "wanted one, beginning with half of the Spans, Ramp steps, Slide steps "
       "and penalty of the file, each round refining what costs least; `off`: "
@@ -113,10 +110,11 @@ namespace asperity
         const double before = change(coarse, coarser) /
                               change_over_error(mesh_order) /
                               std::ldexp(1., mesh_order);
-        result.mesh =
-          std::copysign(std::sqrt(std::abs(result.mesh * before)), result.mesh);
+        if (std::abs(before) < std::abs(result.mesh))
+          result.mesh = std::copysign(before, result.mesh);
       }
-    const Fineness base = run.elements_passed < enough_elements ? of : coarse;
+    const Fineness base =
+      std::abs(change(of, coarse)) < largest_change ? coarse : of;
     result.step =
       change(base, {base.mesh, of.step - 1, of.penalty}) / change_over_error(1);
     result.penalty =

@@ -106,10 +106,7 @@ namespace asperity
         SceneParameters   scene  = with_fineness(parameters_, fineness);
         const SceneResult result = compute_scene(scene);
         add(fineness,
-            {result.friction.mu,
-             result.unknowns,
-             result.newton_iterations,
-             result.last.sliding_distance / result.contact_element});
+            {result.friction.mu, result.unknowns, result.newton_iterations});
       }
     return members.at(fineness);
   }

@@ -148,7 +148,6 @@ namespace asperity
     result.steps             = run.state().step;
     result.newton_iterations = run.newton_statistics().iterations;
     result.unknowns          = run.mean_unknowns();
-    result.contact_element   = audited.scene->contact_element_length();
     result.warnings = warnings_of_run(audited.audit.warnings, run, parameters);
     if (result.friction.T_y != 0.)
       result.oil_load_share = result.friction.oil_pressure *

@@ -200,11 +200,8 @@ namespace asperity
   FamilyMember
   SceneRun::member() const
   {
-    const Scene &scene = *audited_.scene;
     return {run_.friction().mu,
             run_.mean_unknowns(),
-            run_.newton_statistics().iterations,
-            run_.state().rows.back().sliding_distance /
-              scene.contact_element_length()};
+            run_.newton_statistics().iterations};
   }
 } // namespace asperity

@@ -13,7 +13,7 @@ namespace
   AccuracyRound
   round_with(const ErrorEstimate &error)
   {
-    return {{-1, -1, -1}, coarse_scene(), {0.1, 700, 300, 10.}, error};
+    return {{-1, -1, -1}, coarse_scene(), {0.1, 700, 300}, error};
   }
 } // namespace
 

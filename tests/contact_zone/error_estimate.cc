@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "scene_examples.h"
@@ -18,13 +19,9 @@ namespace
   }
 
   /** Runs of mu = 1 + C h^2 + s dt + e/penalty, h = dt = penalty = 1 of the
-   *  run itself, which need not be computed.
-   *  @param elements that the chip passes */
+   *  run itself, which need not be computed. */
   RunFamily
-  smooth_family(const double C,
-                const double s,
-                const double e,
-                const double elements)
+  smooth_family(const double C, const double s, const double e)
   {
     RunFamily family(coarse_scene());
     for (int mesh = -2; mesh <= 0; ++mesh)
@@ -34,44 +31,61 @@ namespace
             const double mu = 1. + C * std::pow(4., -mesh) +
                               s * std::pow(2., -step) +
                               e * std::pow(2., -penalty);
-            family.add({mesh, step, penalty}, {mu, 1, 1, elements});
+            family.add({mesh, step, penalty}, {mu, 1, 1});
           }
     return family;
   }
 } // namespace
 
-// The constants are met up to the factors that leave room for errors whose
-// signs are left to chance: 3 and 1 over sqrt(3 sqrt(17)) and sqrt(sqrt(5)).
-TEST(ErrorEstimate, measures_the_constants_of_a_smooth_error)
+TEST(ErrorEstimate, is_exact_where_mu_converges_smoothly)
 {
-  const double C = 1e-3, s = -2e-3, e = 5e-4;
-  for (const double elements : {1., 100.})
+  const double        C = 1e-3, s = -2e-3, e = 5e-4, mu = 1. + C + s + e;
+  RunFamily           family = smooth_family(C, s, e);
+  const ErrorEstimate error  = estimate_error(family, {});
+  EXPECT_NEAR(error.mesh, C / mu, 1e-12);
+  EXPECT_NEAR(error.step, s / mu, 1e-12);
+  EXPECT_NEAR(error.penalty, e / mu, 1e-12);
+  // Nothing but what was there was needed.
+  EXPECT_EQ(family.size(), 12u);
+}
+
+// Companions of the same mesh as the run cost thrice as much. They are needed
+// where elements twice as long change mu by more than 5 %: by 3 C.
+TEST(ErrorEstimate, varies_steps_on_a_mesh_that_is_fine_enough)
+{
+  for (const double C : {0.015, 0.02})
     {
-      RunFamily           family = smooth_family(C, s, e, elements);
-      const ErrorEstimate error  = estimate_error(family, {});
-      const double        mu     = 1. + C + s + e;
-      EXPECT_NEAR(error.mesh,
-                  C / mu * 3. / std::sqrt(3. * std::sqrt(17.)),
-                  1e-12);
-      EXPECT_NEAR(error.step, s / mu / std::pow(5., 0.25), 1e-12);
-      EXPECT_NEAR(error.penalty, e / mu / std::pow(5., 0.25), 1e-12);
-      // Nothing but what was there was needed.
-      EXPECT_EQ(family.size(), 12u);
+      const int mesh = 3. * C / (1. + C - 1.5e-3) < 0.05 ? -1 : 0;
+      RunFamily all  = smooth_family(C, -2e-3, 5e-4);
+      RunFamily few(all.parameters());
+      for (const Fineness &fineness : {Fineness{0, 0, 0},
+                                       Fineness{-1, 0, 0},
+                                       Fineness{-2, 0, 0},
+                                       Fineness{mesh, -1, 0},
+                                       Fineness{mesh, 0, -1}})
+        few.add(fineness, all.run(fineness));
+      EXPECT_EQ(estimate_error(few, {}).total(),
+                estimate_error(all, {}).total());
+      EXPECT_EQ(few.size(), 5u); // nothing else was computed
+      EXPECT_EQ(mesh, C < 0.017 ? -1 : 0);
     }
 }
 
-// Where the chip passes few elements, steps and penalty are varied on the mesh
-// of the run; otherwise on the coarser one, where they are wrong here.
-TEST(ErrorEstimate, varies_steps_on_a_mesh_that_is_fine_enough)
+// The change by the longest elements is made 16 times what order 2 expects,
+// then a sixteenth of it.
+TEST(ErrorEstimate, takes_the_smaller_of_two_changes_by_the_mesh)
 {
-  for (const double elements : {1., 100.})
+  for (const double factor : {16., 1. / 16., -1. / 16.})
     {
-      RunFamily      family = smooth_family(0., 1e-3, 0., elements);
-      const Fineness coarse_and_long{-1, -1, 0};
-      FamilyMember   wrong = family.run(coarse_and_long);
-      wrong.mu += 0.1;
-      family.add(coarse_and_long, wrong);
-      EXPECT_EQ(estimate_error(family, {}).step > 0.01, elements > 10.);
+      RunFamily    family  = smooth_family(-1e-3, 0., 0.);
+      FamilyMember coarser = family.run({-2, 0, 0});
+      const double before  = family.run({-1, 0, 0}).mu;
+      coarser.mu           = before + factor * (coarser.mu - before);
+      family.add({-2, 0, 0}, coarser);
+      // The sign is that of the finer change.
+      EXPECT_NEAR(estimate_error(family, {}).mesh,
+                  -1e-3 / (1. - 1e-3) * std::min(1., std::abs(factor)),
+                  1e-12);
     }
 }
 

@@ -30,15 +30,16 @@ namespace asperity
   };
 
   /**
-   * The error of a run by coarser companions of its family.
+   * The error of a run by coarser companions of its family, each of which
+   * differs in one thing from another.
    *
    * Halving the elements twice measures the constant C of an error C h^2 by two
-   * changes of mu. Either may be small or large by chance, since edges of
-   * contacts come to lie somewhere in elements, so that their geometric mean
-   * counts. The error by steps and penalty, which is of first order, is told by
-   * what halving each of them changes on elements twice as long, which cost a
-   * third; on those of the run if the chip slides over a few of them only, when
-   * longer ones would tell of themselves.
+   * changes of mu. Edges of contacts, which come to lie somewhere in elements,
+   * add a share to each that is left to chance, and on the longest elements
+   * contacts may not be resolved at all, so that the smaller one counts. The
+   * error by steps and penalty, which is of first order, is told by what
+   * halving each of them changes on elements twice as long, which cost a
+   * third; on those of the run if longer ones change mu by more than 5 %.
    *
    * @param of the run whose error is wanted; its mesh must have a coarser one
    * @throws ComputationError if a companion fails

@@ -38,9 +38,6 @@ namespace asperity
     unsigned int unknowns          = 0;
     unsigned int newton_iterations = 0;
 
-    /** The way that the chip slides, in elements of the contact edge. */
-    double elements_passed = 0.;
-
     /** To which the time of a run is nearly proportional. */
     double
     cost() const

@@ -28,7 +28,6 @@ namespace asperity
     unsigned int              steps             = 0;
     unsigned int              newton_iterations = 0;
     unsigned int              unknowns          = 0;
-    double                    contact_element   = 0.; ///< length [m]
     std::vector<std::string>  warnings;
   };
 
