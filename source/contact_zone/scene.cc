@@ -98,7 +98,7 @@ namespace asperity
     std::vector<ForceTerm *> terms = {chip.get(), contact.get()};
     if (lubricant)
       terms.push_back(lubricant.get());
-    // The tangent of a film is not symmetric.
+    // The tangent of a film is symmetric in structure only.
     const bool symmetric = n_lubricant_unknowns == 0;
     equilibrium =
       std::make_unique<Equilibrium>(n_unknowns(),
@@ -107,7 +107,7 @@ namespace asperity
                                     symmetric || linear_solver !=
                                                    DirectSolverKind::cholmod ?
                                       linear_solver :
-                                      DirectSolverKind::umfpack);
+                                      DirectSolverKind::supernodal_lu);
     // A chip that floats on oil is held by the oil's volume alone.
     equilibrium->set_support(
       displacement_dof(space->edge_functions(Edge::bottom).front(), 1));

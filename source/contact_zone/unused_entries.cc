@@ -167,7 +167,7 @@ namespace asperity
          window(FrictionWindow::steady)},
         {{"Solver/Linear solver"},
          "a symmetric tangent, which the lubricant model Reynolds has "
-         "not: umfpack stands in for cholmod",
+         "not: LU in the same order stands in for cholmod",
          [](const SceneParameters &p) {
            return p.lubrication.model != LubricantModel::reynolds ||
                   p.solver.linear_solver != DirectSolverKind::cholmod;

@@ -116,11 +116,12 @@ namespace asperity
           stretch[i]           = table.tangent[i];
           element.add_displacement(q, u, x[i]);
           element.add_stretch(q, u, stretch[i]);
-          const auto   Y     = tool.derivatives(x[i][0] - tool_offset[0], 1);
-          const double gap   = Y[0][1] + tool_offset[1] - x[i][1];
-          thickness[i]       = film_gap.value(gap);
-          thickness_slope[i] = film_gap.slope(gap);
-          tool_slope[i]      = Y[1][1];
+          const auto        seen = x[i] - tool_offset;
+          const auto        at   = tool.locate(seen[0]);
+          const DistanceJet Y    = tool.jet(at, seen[0], seen[1]);
+          thickness[i]           = film_gap.value(Y.ry);
+          thickness_slope[i]     = film_gap.slope(Y.ry);
+          tool_slope[i]          = Y.y1 / tool.parameter_scale(at.piece);
           if (!(stretch[i][0] > 0.))
             return false;
         }

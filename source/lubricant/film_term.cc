@@ -173,11 +173,13 @@ namespace asperity
         for (const unsigned int row : dofs)
           for (const unsigned int column : dofs)
             pattern.add(row, column);
-        auto rows = edge_.position_gradient(i);
-        rows.emplace_back(pressure_unknown(*film.left_cell(i)), 0.);
-        rows.emplace_back(pressure_unknown(*film.right_cell(i)), 0.);
+        // With those of its pressure, a cell's fraction is eliminated behind
+        // that by a factorisation without pivoting.
+        const auto columns = face_gradient(i, {});
+        auto       rows    = edge_.position_gradient(i);
+        rows.insert(rows.end(), columns.begin(), columns.begin() + 4);
         for (const auto &[row, ignored] : rows)
-          for (const auto &[column, also_ignored] : face_gradient(i, {}))
+          for (const auto &[column, also_ignored] : columns)
             pattern.add(row, column);
       }
   }
@@ -185,10 +187,12 @@ namespace asperity
 
 
   bool
-  FilmTerm::add(const Vector &u, Vector &residual, Matrix *tangent)
+  FilmTerm::add(const Vector &u, Vector &residual, Matrix *matrix)
   {
     if (!evaluate(u))
       return false;
+    if (matrix != nullptr)
+      tangent.begin(*matrix);
     const double to_force = options.pressure_scale / options.gap_scale;
     const auto   balance  = film.balance(linearization, film_geometry, step);
     for (unsigned int i = 0; i < edge_.n_cells(); ++i)
@@ -201,10 +205,10 @@ namespace asperity
           residual(dof) += states[i].pressure * area;
         for (const auto &[dof, N] : edge_.position_gradient(i))
           residual(dof) -= N * linearization.fluxes[i].lower_shear.value;
-        if (tangent != nullptr)
+        if (matrix != nullptr)
           {
-            add_cell_tangent(i, *tangent);
-            add_face_tangent(i, *tangent);
+            add_cell_tangent(i);
+            add_face_tangent(i);
           }
       }
     return true;
@@ -213,12 +217,11 @@ namespace asperity
 
 
   void
-  FilmTerm::add_cell_tangent(const unsigned int cell, Matrix &tangent) const
+  FilmTerm::add_cell_tangent(const unsigned int cell)
   {
     const double       to_force   = options.pressure_scale / options.gap_scale;
     const double       d_fraction = 1. / options.gap_scale;
     const unsigned int p = pressure_unknown(cell), t = fraction_unknown(cell);
-
     const FilmContent &m = linearization.content[cell];
     tangent.add(p, p, to_force * m.d_pressure * to_force);
     tangent.add(p, t, to_force * m.d_fraction * d_fraction);
@@ -270,7 +273,7 @@ namespace asperity
 
 
   void
-  FilmTerm::add_face_tangent(const unsigned int face, Matrix &tangent) const
+  FilmTerm::add_face_tangent(const unsigned int face)
   {
     const FilmFluxes &fluxes = linearization.fluxes[face];
     const double passed = step.dt * options.pressure_scale / options.gap_scale;

@@ -16,6 +16,7 @@
 
 #include "compressed_rows.h"
 #include "supernodal_cholesky.h"
+#include "supernodal_lu.h"
 
 namespace asperity
 {
@@ -114,11 +115,12 @@ namespace asperity
     };
 
     /**
-     * Supernodal Cholesky, with a factorisation by Umfpack wherever the matrix
-     * is not positive definite: softening material and the curvature of the
-     * contact surface make tangents indefinite now and then.
+     * SupernodalCholesky or SupernodalLu, with a factorisation by Umfpack
+     * wherever the matrix is not positive definite: softening material and the
+     * curvature of the contact surface make tangents indefinite now and then.
      */
-    class Cholmod : public DirectSolver
+    template <class Factor>
+    class Supernodal : public DirectSolver
     {
     public:
       void
@@ -135,15 +137,15 @@ namespace asperity
           return false;
         // The diagonal comes first in each row of a square matrix: that of the
         // first row is where its values start, which are only read.
-        is_definite = factor.factorize(
+        is_factorised = factor.factorize(
           &const_cast<dealii::SparseMatrix<double> &>(matrix).diag_element(0));
-        return is_definite || fallback.factorize(matrix);
+        return is_factorised || fallback.factorize(matrix);
       }
 
       void
       solve(dealii::Vector<double> &rhs) const override
       {
-        if (is_definite)
+        if (is_factorised)
           factor.solve(rhs.begin());
         else
           fallback.solve(rhs);
@@ -159,9 +161,9 @@ namespace asperity
         return factor.analyze(matrix.m(), entries);
       }
 
-      SupernodalCholesky factor;
-      Umfpack            fallback;
-      bool               is_definite = false;
+      Factor  factor;
+      Umfpack fallback;
+      bool    is_factorised = false;
     };
 
     class Klu : public DirectSolver
@@ -306,7 +308,9 @@ namespace asperity
     switch (kind)
       {
         case DirectSolverKind::cholmod:
-          return std::make_unique<Cholmod>();
+          return std::make_unique<Supernodal<SupernodalCholesky>>();
+        case DirectSolverKind::supernodal_lu:
+          return std::make_unique<Supernodal<SupernodalLu>>();
         case DirectSolverKind::klu:
           return std::make_unique<Klu>();
         case DirectSolverKind::mumps:

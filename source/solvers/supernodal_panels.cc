@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace asperity::supernodal
 {
@@ -16,6 +17,22 @@ namespace asperity::supernodal
     /** Panels have as many columns at a time; tiles of products are two packs
      *  high. */
     constexpr unsigned int lanes = neighbours::width;
+
+    /** Of each lane, the larger absolute value. */
+    inline Pack
+    largest(const Pack &a, const Pack &b)
+    {
+      const Pack c = b < 0. ? -b : b;
+      return a > c ? a : c;
+    }
+
+    inline double
+    largest(const Pack &a)
+    {
+      return std::max(std::max(a[0], a[1]), std::max(a[2], a[3]));
+    }
+
+
 
     /** sum_c = sum over t of rows times the c-th number of columns. */
     template <unsigned int n_packs>
@@ -81,7 +98,8 @@ namespace asperity::supernodal
     template <unsigned int n_packs>
     inline void
     subtract_tile(const Update       &u,
-                  const double       *from,
+                  const double       *rows,
+                  const double       *columns,
                   const unsigned int  i,
                   const unsigned int  j,
                   const unsigned int *places,
@@ -89,7 +107,7 @@ namespace asperity::supernodal
                   const unsigned int  stride)
     {
       Pack sum[lanes][n_packs];
-      multiply<n_packs>(from + i, from + j, u.stride, u.width, sum);
+      multiply<n_packs>(rows + i, columns + j, u.stride, u.width, sum);
       scatter<n_packs>(sum,
                        places + i,
                        u.n_rows - i,
@@ -101,35 +119,43 @@ namespace asperity::supernodal
 
 
 
-    void
+    /** Subtracts the lower triangle and what is below it of the product of a
+     *  panel's rows with the transposed ones of another one, in Cholesky's
+     *  factorisation of the same. */
+    inline void
     subtract(const Update       &u,
-             const double       *values,
+             const double       *rows,
+             const double       *columns,
              const unsigned int *places,
              double             *target,
              const unsigned int  stride)
     {
-      const double *const from = values + u.values;
+      rows += u.values;
+      columns += u.values;
       for (unsigned int j = 0; j < u.n_columns; j += lanes)
         for (unsigned int i = j; i < u.n_rows; i += 2 * lanes)
           if (u.n_rows - i > lanes)
-            subtract_tile<2>(u, from, i, j, places, target, stride);
+            subtract_tile<2>(u, rows, columns, i, j, places, target, stride);
           else
-            subtract_tile<1>(u, from, i, j, places, target, stride);
+            subtract_tile<1>(u, rows, columns, i, j, places, target, stride);
     }
 
 
 
-    /** Subtracts from some columns of a panel what those before them make. */
+    /** Subtracts from some columns of a panel what those before them make with
+     *  the transposed ones of another one, in Cholesky's factorisation the
+     *  same. */
     template <unsigned int n_packs>
     inline void
     subtract_before(double            *panel,
+                    const double      *transposed,
                     const unsigned int stride,
                     const unsigned int row,
                     const unsigned int column,
                     const unsigned int n_columns)
     {
       Pack sum[lanes][n_packs];
-      multiply<n_packs>(panel + row, panel + column, stride, column, sum);
+      multiply<n_packs>(panel + row, transposed + column, stride, column, sum);
       for (unsigned int c = 0; c < n_columns; ++c)
         for (unsigned int k = 0; k < n_packs; ++k)
           {
@@ -137,6 +163,25 @@ namespace asperity::supernodal
               at(panel + std::size_t(column + c) * stride + row + lanes * k);
             target -= sum[c][k];
           }
+    }
+
+
+
+    /** The same for all rows from that of the first of the columns on. */
+    inline void
+    subtract_before(double            *panel,
+                    const double      *transposed,
+                    const unsigned int stride,
+                    const unsigned int column,
+                    const unsigned int n_columns)
+    {
+      if (column == 0)
+        return;
+      for (unsigned int row = column; row < stride; row += 2 * lanes)
+        if (row + lanes < stride)
+          subtract_before<2>(panel, transposed, stride, row, column, n_columns);
+        else
+          subtract_before<1>(panel, transposed, stride, row, column, n_columns);
     }
 
 
@@ -189,13 +234,8 @@ namespace asperity::supernodal
     {
       for (unsigned int column = 0; column < p.width; column += lanes)
         {
-          const unsigned int n   = std::min(lanes, p.width - column);
-          unsigned int       row = column;
-          for (; column > 0 && row < p.stride; row += 2 * lanes)
-            if (row + lanes < p.stride)
-              subtract_before<2>(panel, p.stride, row, column, n);
-            else
-              subtract_before<1>(panel, p.stride, row, column, n);
+          const unsigned int n = std::min(lanes, p.width - column);
+          subtract_before(panel, panel, p.stride, column, n);
           const bool positive =
             n == 4 ? finish_columns<4>(panel, p.stride, column) :
             n == 3 ? finish_columns<3>(panel, p.stride, column) :
@@ -205,6 +245,93 @@ namespace asperity::supernodal
             return false;
         }
       return true;
+    }
+
+
+
+    /** Columns of both factors' panels that only depend on each other any
+     *  more.
+     *  @return the largest |L_ij U_jk| of them, infinite if a pivot is zero or
+     *   not finite */
+    template <unsigned int n>
+    inline double
+    finish_columns(double            *lower,
+                   double            *upper,
+                   const unsigned int stride,
+                   const unsigned int column)
+    {
+      double *l_column[n], *u_column[n];
+      double  L[n][n], U[n][n], inverse[n];
+      Pack    l_max[n] = {}, u_max[n] = {};
+      for (unsigned int c = 0; c < n; ++c)
+        {
+          l_column[c] = lower + std::size_t(column + c) * stride;
+          u_column[c] = upper + std::size_t(column + c) * stride;
+          for (unsigned int r = c; r < n; ++r)
+            {
+              L[r][c] = l_column[c][column + r];
+              U[r][c] = u_column[c][column + r];
+              for (unsigned int e = 0; e < c; ++e)
+                {
+                  L[r][c] -= L[r][e] * U[c][e];
+                  U[r][c] -= U[r][e] * L[c][e];
+                }
+            }
+          inverse[c] = 1. / L[c][c];
+          if (!std::isfinite(inverse[c]) || inverse[c] == 0.)
+            return std::numeric_limits<double>::infinity();
+          for (unsigned int r = c; r < n; ++r)
+            U[r][c] *= inverse[c];
+        }
+      for (unsigned int row = column; row < stride; row += lanes)
+        {
+          Pack l[n], u[n];
+          for (unsigned int c = 0; c < n; ++c)
+            {
+              l[c] = at(l_column[c] + row);
+              u[c] = at(u_column[c] + row);
+              for (unsigned int e = 0; e < c; ++e)
+                {
+                  l[c] -= U[c][e] * l[e];
+                  u[c] -= L[c][e] * u[e];
+                }
+              u[c] *= inverse[c];
+              at(l_column[c] + row) = l[c];
+              at(u_column[c] + row) = u[c];
+              l_max[c]              = largest(l_max[c], l[c]);
+              u_max[c]              = largest(u_max[c], u[c]);
+            }
+        }
+      double product = 0.;
+      for (unsigned int c = 0; c < n; ++c)
+        {
+          u_column[c][column + c] = 1.;
+          product =
+            std::max(product,
+                     largest(l_max[c]) * std::max(1., largest(u_max[c])));
+        }
+      return product;
+    }
+
+
+
+    inline double
+    factorize_panel(double *lower, double *upper, const Panel &p)
+    {
+      double product = 0.;
+      for (unsigned int column = 0; column < p.width; column += lanes)
+        {
+          const unsigned int n = std::min(lanes, p.width - column);
+          subtract_before(lower, upper, p.stride, column, n);
+          subtract_before(upper, lower, p.stride, column, n);
+          product = std::max(
+            product,
+            n == 4 ? finish_columns<4>(lower, upper, p.stride, column) :
+            n == 3 ? finish_columns<3>(lower, upper, p.stride, column) :
+            n == 2 ? finish_columns<2>(lower, upper, p.stride, column) :
+                     finish_columns<1>(lower, upper, p.stride, column));
+        }
+      return product;
     }
   } // namespace
 
@@ -222,6 +349,7 @@ namespace asperity::supernodal
         for (; u < panel.updates; ++u)
           subtract(updates[u],
                    values,
+                   values,
                    relative + updates[u].relative,
                    values + panel.values,
                    panel.stride);
@@ -233,59 +361,28 @@ namespace asperity::supernodal
 
 
 
-  ASPERITY_ALL_VECTOR_WIDTHS ASPERITY_INLINE_ALL void
-  substitute_forward(const std::vector<Panel> &panels,
-                     const unsigned int       *rows,
-                     const double             *values,
-                     double                   *work,
-                     double                   *x)
+  ASPERITY_ALL_VECTOR_WIDTHS ASPERITY_INLINE_ALL double
+  factorize(const std::vector<Panel>  &panels,
+            const std::vector<Update> &updates,
+            const unsigned int        *relative,
+            double                    *lower,
+            double                    *upper)
   {
+    std::size_t u       = 0;
+    double      product = 0.;
     for (const Panel &panel : panels)
       {
-        const double *const L = values + panel.values;
-        std::copy_n(x + panel.first, panel.width, work);
-        std::fill(work + panel.width, work + panel.stride, 0.);
-        for (unsigned int c = 0; c < panel.width; ++c)
+        double *const l = lower + panel.values, *const v = upper + panel.values;
+        for (; u < panel.updates; ++u)
           {
-            const double *const column = L + std::size_t(c) * panel.stride;
-            const double        x_c    = work[c] / column[c];
-            x[panel.first + c]         = x_c;
-            // What this makes of the rows above is not read any more.
-            for (unsigned int k = c / lanes * lanes; k < panel.stride;
-                 k += lanes)
-              at(work + k) = at(work + k) - x_c * at(column + k);
+            const unsigned int *const places = relative + updates[u].relative;
+            subtract(updates[u], lower, upper, places, l, panel.stride);
+            subtract(updates[u], upper, lower, places, v, panel.stride);
           }
-        for (unsigned int i = panel.width; i < panel.n_rows; ++i)
-          x[rows[panel.rows + i]] += work[i];
+        product = std::max(product, factorize_panel(l, v, panel));
+        if (!std::isfinite(product))
+          break;
       }
-  }
-
-
-
-  ASPERITY_ALL_VECTOR_WIDTHS ASPERITY_INLINE_ALL void
-  substitute_backward(const std::vector<Panel> &panels,
-                      const unsigned int       *rows,
-                      const double             *values,
-                      double                   *work,
-                      double                   *x)
-  {
-    for (auto panel = panels.rbegin(); panel != panels.rend(); ++panel)
-      {
-        std::fill_n(work, panel->stride, 0.);
-        for (unsigned int i = panel->width; i < panel->n_rows; ++i)
-          work[i] = x[rows[panel->rows + i]];
-        for (unsigned int c = panel->width; c-- > 0;)
-          {
-            const double *const column =
-              values + panel->values + std::size_t(c) * panel->stride;
-            Pack sum = {};
-            for (unsigned int k = c / lanes * lanes; k < panel->stride;
-                 k += lanes)
-              sum += at(work + k) * at(column + k);
-            double &x_c = x[panel->first + c];
-            x_c     = (x_c - (sum[0] + sum[1] + sum[2] + sum[3])) / column[c];
-            work[c] = x_c;
-          }
-      }
+    return product;
   }
 } // namespace asperity::supernodal

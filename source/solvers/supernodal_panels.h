@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-/** The numbers of a supernodal Cholesky factor: what SupernodalCholesky has
- *  found out of its structure, and the loops over it. */
+/** The numbers of a supernodal factor: what SupernodalStructure has found out
+ *  of it, and the loops over it. */
 namespace asperity::supernodal
 {
   /** A supernode: columns first to first + width, dense in its rows, of which
@@ -37,6 +37,17 @@ namespace asperity::supernodal
             const std::vector<Update> &updates,
             const unsigned int        *relative,
             double                    *values);
+
+  /** Makes the factors of A = L U, the diagonal of U is one, out of the lower
+   *  triangles of A and A^T that stand in the panels of L and U^T.
+   *  @return the largest |L_ij U_jk|, infinite if a pivot is zero or not
+   *   finite */
+  double
+  factorize(const std::vector<Panel>  &panels,
+            const std::vector<Update> &updates,
+            const unsigned int        *relative,
+            double                    *lower,
+            double                    *upper);
 
   /** x = L^-1 x.
    *  @param rows row numbers of all panels

@@ -13,7 +13,8 @@ namespace
   using Matrix = dealii::SparseMatrix<double>;
 
   const DirectSolverKind kinds[] = {DirectSolverKind::umfpack,
-                                    DirectSolverKind::klu};
+                                    DirectSolverKind::klu,
+                                    DirectSolverKind::supernodal_lu};
 
   constexpr unsigned int n = 60;
 

@@ -4,9 +4,11 @@
 #include <asperity/isogeometric/element_view.h>
 #include <asperity/isogeometric/spline_space.h>
 #include <asperity/lubricant/film_gap.h>
-#include <asperity/splines/spline_curve.h>
+#include <asperity/splines/curve_pieces.h>
 
 #include <deal.II/lac/vector.h>
+
+#include <boost/container/small_vector.hpp>
 
 #include <utility>
 #include <vector>
@@ -14,8 +16,9 @@
 namespace asperity
 {
   /** The derivative of a number: (degree of freedom, derivative), a degree may
-   *  occur more than once. */
-  using SparseGradient = std::vector<std::pair<unsigned int, double>>;
+   *  occur more than once. Up to cubic splines it allocates no memory. */
+  using SparseGradient =
+    boost::container::small_vector<std::pair<unsigned int, double>, 24>;
 
   /**
    * The gap between the deformed top edge of a periodic chip and the graph Y(x)
@@ -107,7 +110,7 @@ namespace asperity
     unsigned int
     local_point(const unsigned int cell, const unsigned int point) const;
 
-    SplineCurve  tool;
+    CurvePieces  tool;
     FilmGap      film_gap;
     unsigned int cells_per_span;
     unsigned int n_gauss;
@@ -130,20 +133,19 @@ namespace asperity
   {
     const ElementView  element = element_of(cell);
     const unsigned int n       = element.n_functions();
-    for (unsigned int k = 1; k <= n_gauss; ++k)
-      {
-        const unsigned int point = first_point(cell) + k;
-        const unsigned int q     = local_point(cell, point);
-        for (unsigned int a = 0; a < n; ++a)
-          for (unsigned int b = 0; b < n; ++b)
-            {
-              // n ds = (-y', x') dS
-              const double value =
-                table.JxW[point] * element.N(q, a) * element.gradient(q, b)[0];
-              action(element.dof(a, 0), element.dof(b, 1), -value);
-              action(element.dof(a, 1), element.dof(b, 0), value);
-            }
-      }
+    const unsigned int first   = first_point(cell);
+    const unsigned int q       = local_point(cell, first);
+    for (unsigned int a = 0; a < n; ++a)
+      for (unsigned int b = 0; b < n; ++b)
+        {
+          // n ds = (-y', x') dS
+          double value = 0.;
+          for (unsigned int k = 1; k <= n_gauss; ++k)
+            value += table.JxW[first + k] * element.N(q + k, a) *
+                     element.gradient(q + k, b)[0];
+          action(element.dof(a, 0), element.dof(b, 1), -value);
+          action(element.dof(a, 1), element.dof(b, 0), value);
+        }
   }
 } // namespace asperity
 

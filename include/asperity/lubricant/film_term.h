@@ -4,6 +4,7 @@
 #include <asperity/lubricant/film_edge.h>
 #include <asperity/lubricant/lubricant.h>
 #include <asperity/lubricant/reynolds_film.h>
+#include <asperity/solvers/matrix_entries.h>
 
 namespace asperity
 {
@@ -163,12 +164,10 @@ namespace asperity
     face_gradient(const unsigned int face, const FilmFaceValue &value) const;
 
     void
-    add_cell_tangent(const unsigned int            cell,
-                     dealii::SparseMatrix<double> &tangent) const;
+    add_cell_tangent(const unsigned int cell);
 
     void
-    add_face_tangent(const unsigned int            face,
-                     dealii::SparseMatrix<double> &tangent) const;
+    add_face_tangent(const unsigned int face);
 
     FilmTermOptions options;
     unsigned int    first_unknown;
@@ -187,6 +186,7 @@ namespace asperity
     std::vector<FilmState> states;
     FilmGeometry           film_geometry;
     FilmLinearization      linearization;
+    MatrixEntries          tangent; ///< which add() fills
     std::string            failure;
   };
 } // namespace asperity

@@ -36,11 +36,13 @@ namespace asperity
 
   enum class DirectSolverKind
   {
-    cholmod, ///< supernodal Cholesky for symmetric matrices, umfpack where
-             ///< one is indefinite
-    umfpack, ///< multifrontal with BLAS 3: the fastest below 10^5 unknowns
-    klu,     ///< SuiteSparse's solver for circuits, pivot sequence reused
-    mumps    ///< Amesos_Mumps of Trilinos (deal.II's wrapper), if built in
+    cholmod,      ///< supernodal Cholesky for symmetric matrices, umfpack where
+                  ///< one is indefinite
+    umfpack,      ///< multifrontal with BLAS 3: the fastest below 10^5 unknowns
+    klu,          ///< SuiteSparse's solver for circuits, pivot sequence reused
+    mumps,        ///< Amesos_Mumps of Trilinos (deal.II's wrapper), if built in
+    supernodal_lu ///< LU without pivoting for matrices whose symmetric part is
+                  ///< positive definite, umfpack where it is unstable
   };
 
   std::unique_ptr<DirectSolver>

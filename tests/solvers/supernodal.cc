@@ -36,15 +36,19 @@ namespace
     return result;
   }
 
-  /** Symmetric; by Gershgorin's circles definite for a large diagonal. */
+  /** A symmetric part that by Gershgorin's circles is definite for a large
+   *  diagonal, and a part that changes its sign with rows for columns. */
   void
-  fill(Matrix &matrix, const double diagonal)
+  fill(Matrix &matrix, const double diagonal, const double skew = 0.)
   {
     for (auto entry = matrix.begin(); entry != matrix.end(); ++entry)
       {
         const unsigned int i = entry->row(), j = entry->column();
-        entry->value() = std::sin(3. * std::min(i, j) + 7. * std::max(i, j)) +
-                         (i == j ? diagonal : 0.);
+        const double       low = std::min(i, j), high = std::max(i, j);
+        entry->value() =
+          std::sin(3. * low + 7. * high) +
+          (i == j ? diagonal :
+                    (i < j ? skew : -skew) * std::cos(5. * low + 2. * high));
       }
   }
 
@@ -63,7 +67,7 @@ namespace
 
 
 
-TEST(Cholesky, solves_definite_systems_of_all_shapes_again_and_again)
+TEST(Supernodal, solves_definite_systems_of_all_shapes_again_and_again)
 {
   for (const auto &[columns, rows] : {std::pair(1, 1),
                                       std::pair(1, 7),
@@ -74,13 +78,18 @@ TEST(Cholesky, solves_definite_systems_of_all_shapes_again_and_again)
     {
       const auto sparsity = strip(columns, rows);
       Matrix     matrix(sparsity);
-      const auto solver = make_direct_solver(DirectSolverKind::cholmod);
-      for (const double diagonal : {60., 55., 80.})
+      for (const bool symmetric : {true, false})
         {
-          fill(matrix, diagonal);
-          ASSERT_TRUE(solver->factorize(matrix));
-          EXPECT_LT(error_of_solution(*solver, matrix), 1e-13)
-            << columns << " x " << rows;
+          const auto solver =
+            make_direct_solver(symmetric ? DirectSolverKind::cholmod :
+                                           DirectSolverKind::supernodal_lu);
+          for (const double diagonal : {60., 55., 80.})
+            {
+              fill(matrix, diagonal, symmetric ? 0. : 20.);
+              ASSERT_TRUE(solver->factorize(matrix));
+              EXPECT_LT(error_of_solution(*solver, matrix), 1e-13)
+                << columns << " x " << rows;
+            }
         }
     }
 }
@@ -103,21 +112,43 @@ TEST(Cholesky, leaves_what_is_not_definite_to_another_factorisation)
 
 
 
-TEST(Cholesky, reports_matrices_that_are_singular_or_not_finite)
+TEST(SupernodalLu, leaves_what_it_cannot_eliminate_to_another_factorisation)
+{
+  const auto sparsity = strip(1, 1);
+  Matrix     matrix(sparsity);
+  const auto solver = make_direct_solver(DirectSolverKind::supernodal_lu);
+  for (const double pivot : {0., 1e-11, -1e-14})
+    {
+      matrix.set(0, 0, pivot);
+      matrix.set(0, 1, 1.);
+      matrix.set(1, 0, 2.);
+      matrix.set(1, 1, pivot);
+      ASSERT_TRUE(solver->factorize(matrix));
+      EXPECT_LT(error_of_solution(*solver, matrix), 1e-14) << pivot;
+    }
+}
+
+
+
+TEST(Supernodal, reports_matrices_that_are_singular_or_not_finite)
 {
   const auto sparsity = strip(9, 3);
   Matrix     matrix(sparsity);
-  const auto solver = make_direct_solver(DirectSolverKind::cholmod);
-  for (const double value : {std::numeric_limits<double>::quiet_NaN(),
-                             std::numeric_limits<double>::infinity()})
+  for (const DirectSolverKind kind :
+       {DirectSolverKind::cholmod, DirectSolverKind::supernodal_lu})
     {
-      fill(matrix, 60.);
-      matrix.diag_element(20) = value;
+      const auto solver = make_direct_solver(kind);
+      for (const double value : {std::numeric_limits<double>::quiet_NaN(),
+                                 std::numeric_limits<double>::infinity()})
+        {
+          fill(matrix, 60.);
+          matrix.diag_element(20) = value;
+          EXPECT_FALSE(solver->factorize(matrix));
+        }
+      matrix = 0.;
       EXPECT_FALSE(solver->factorize(matrix));
+      fill(matrix, 60.);
+      ASSERT_TRUE(solver->factorize(matrix));
+      EXPECT_LT(error_of_solution(*solver, matrix), 1e-13);
     }
-  matrix = 0.;
-  EXPECT_FALSE(solver->factorize(matrix));
-  fill(matrix, 60.);
-  ASSERT_TRUE(solver->factorize(matrix));
-  EXPECT_LT(error_of_solution(*solver, matrix), 1e-13);
 }
