@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "scene_examples.h"
+#include "flooded_scene.h"
 
 using namespace asperity;
 
@@ -220,10 +220,8 @@ TEST(SceneWarnings, of_penalties_that_are_too_soft_or_too_hard)
 
 TEST(SceneWarnings, of_a_loose_tolerance_between_chip_and_flow)
 {
-  SceneParameters parameters   = coarse_scene();
-  parameters.lubrication.model = LubricantModel::stokes;
-  parameters.protocol.inertia  = Inertia::dynamic;
-  const auto audit             = [&parameters]() {
+  SceneParameters parameters = flooded_scene();
+  const auto      audit      = [&parameters]() {
     return audit_scene(parameters, Scene(parameters)).warnings;
   };
   EXPECT_FALSE(says(audit(), "Coupling/Tolerance"));

@@ -83,7 +83,7 @@ TEST(MotionEnergy, of_a_spring_is_what_damping_takes)
         {
           EXPECT_GT(oscillator.energy.lost, 0.);
         }
-      EXPECT_EQ(oscillator.energy.start, start); // all of it is kinetic
+      EXPECT_DOUBLE_EQ(oscillator.energy.start, start); // all of it is kinetic
       EXPECT_LE(oscillator.energy.change, start);
     }
 }

@@ -134,8 +134,8 @@ C27 = Mode(
     "Searched for, spikes of the height of the roughness and more are found; "
     "left in, the profile is told to have one. The line that is taken off a "
     "profile before it is closed to a period tilts one with a step, or with "
-    "few waves, by up to 10 % of its height, which is told where the ends fit "
-    "better without.",
+    "few waves, by up to 10 % of its height, which is told where the ends meet "
+    "without.",
     Axis("spike", "height of a spike over the rms roughness"),
     Axis("kind", "surface", KINDS), Axis("treatment", "treatment"),
     ["height"],
