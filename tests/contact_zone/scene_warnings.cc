@@ -238,7 +238,7 @@ TEST(SceneWarnings, of_a_chip_that_rings_in_long_steps)
   };
   EXPECT_FALSE(says(audit(), "goes on ringing"));
   parameters.protocol.inertia = Inertia::dynamic;
-  EXPECT_TRUE(says(audit(), "expected with such steps is Protocol/Spectral"));
+  EXPECT_TRUE(says(audit(), "expected with such steps is Protocol/Inertia"));
   parameters.protocol.spectral_radius = 0.;
   EXPECT_FALSE(says(audit(), "goes on ringing"));
 }
