@@ -16,10 +16,10 @@ namespace asperity
                      cost_of_penalty = 1.1;
 
     /** Part of the wanted error that an estimate may use up, which is smaller
-     *  than this part of the error in five of forty scenes
+     *  than this part of the error in eight of forty scenes
      *  (tools/benchmarks/README.md); and that of a choice made on coarser
      *  settings. */
-    constexpr double safety = 0.7, safety_of_choice = 0.6;
+    constexpr double safety = 0.85, safety_of_choice = 0.7;
 
     /** Most halvings at once, of elements and of the others. Estimates reach no
      *  further. */
