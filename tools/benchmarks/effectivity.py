@@ -63,13 +63,19 @@ FLOOR = 0.1 * 0.007
 
 def cached_run(arguments, scene, name, entries):
     """The summary of a run, computed unless it is there."""
-    summary = os.path.join(arguments.to, scene, name, "summary.json")
-    if os.path.exists(summary):
-        with open(summary, encoding="utf-8") as text:
+    folder = os.path.join(arguments.to, scene, name)
+    if os.path.exists(folder):
+        with open(os.path.join(folder, "summary.json"),
+                  encoding="utf-8") as text:
             return json.load(text)
     file, of_scene = scenes()[scene]
-    return dry_scene.run(arguments, os.path.join(scene, name),
-                         {**of_scene, **entries}, include=file, may_fail=True)
+    # Elsewhere, since a run that is stopped may leave a summary.
+    summary = dry_scene.run(arguments, os.path.join(scene, "unfinished"),
+                            {**of_scene, **entries}, include=file,
+                            may_fail=True)
+    if summary is not None:
+        os.rename(os.path.join(arguments.to, scene, "unfinished"), folder)
+    return summary
 
 
 def known_mu(path):
@@ -144,7 +150,8 @@ def adaptive(arguments):
              "Accuracy/Error": arguments.error})
         default = cached_run(arguments, scene, "default", DEFAULT)
         mu, _ = truth(arguments, scene)
-        if summary is None or default is None or mu is None:
+        if (summary is None or default is None or mu is None
+                or "accuracy" not in summary):
             print(f"| {scene} | no result |", flush=True)
             continue
         accuracy = summary["accuracy"]
