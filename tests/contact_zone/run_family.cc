@@ -55,7 +55,7 @@ TEST(RunFamily, computes_each_run_once)
   parameters.protocol.slide_steps = 2;
   unsigned int told               = 0;
   RunFamily    family(parameters, [&](const Fineness &) { ++told; });
-  family.add({1, 0, 0}, {0.5, 10, 20, 1.});
+  family.add({1, 0, 0}, {0.5, 10, 20});
   EXPECT_EQ(family.run({1, 0, 0}).mu, 0.5);
   EXPECT_EQ(told, 0u);
   const double mu = family.run({}).mu;
