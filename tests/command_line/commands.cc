@@ -174,7 +174,7 @@ TEST_F(Commands, a_run_tells_the_numerical_error_of_mu_where_that_is_wanted)
 {
   const std::string scene =
     "subsection Mesh\n set Spans = 40\n set Refinement levels = 1\nend\n"
-    "subsection Protocol\n set Ramp steps = 4\n set Slide steps = 6\nend\n"
+    "subsection Protocol\n set Ramp steps = 8\n set Slide steps = 40\nend\n"
     "subsection Output\n set Output directory = run\nend\n";
   write("scene.prm",
         scene + "subsection Accuracy\n set Control = estimate\nend\n");
