@@ -84,7 +84,10 @@ namespace asperity
     const std::filesystem::path folder =
       std::filesystem::temp_directory_path() /
       (std::string("asperity_") +
-       testing::UnitTest::GetInstance()->current_test_info()->name());
+       testing::UnitTest::GetInstance()
+         ->current_test_info()
+         ->test_suite_name() +
+       "." + testing::UnitTest::GetInstance()->current_test_info()->name());
   };
 } // namespace asperity
 
