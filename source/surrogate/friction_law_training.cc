@@ -108,10 +108,13 @@ namespace asperity
         }
       return warnings;
     }
+
+
+
     /** A sentence if the runs scatter so much that the interval is too narrow:
      *  what is learnt of it takes a part of the scatter for the law. Runs with
      *  noise of 3 to 10 % have left 0.03 to 0.1, and 77 to 97 % of other runs
-     * in the interval; of 2 % and less 94 to 97 % (tools/stability, C24). */
+     *  in the interval; of 2 % and less 94 to 97 % (tools/stability, C24). */
     std::string
     scatter_warning(const double left_out_error)
     {

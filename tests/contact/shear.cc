@@ -90,6 +90,7 @@ namespace
         }
       residual(u);
       contact.shear()->accept();
+      set_strength(contact, 1e4); // with the pressures of that step
       for (unsigned int i = 0; i < u.size(); ++i)
         u(i) += 0.008 * uniform(generator);
     }
@@ -263,6 +264,56 @@ namespace
     // A step that turns from stick to slip is a corner of the trapezoidal rule.
     EXPECT_NEAR(work, block.dissipated, 0.02 * work);
     EXPECT_GT(work, 0.);
+  }
+
+  // What has borne p touches the less, the wider it is open: 1 + (p/k)^2 -
+  // g/delta, here 5 - g/delta, within 0 and 1; what has borne nothing 1 -
+  // g/delta.
+  TEST(ShearOfOpenGap, falls_with_the_gap_from_what_the_pressure_has_closed)
+  {
+    for (const auto formulation :
+         {ContactFormulation::mortar, ContactFormulation::gauss_point})
+      for (const double p : {1e4, 0.})
+        {
+          const double penalty = 1e6, strength = 5e3, slip = 0.1;
+          const auto   space = std::make_shared<SplineSpace>(
+            KnotVector(2, example::equal_steps(0., 2., 16), true),
+            KnotVector(2, example::equal_steps(0., 1., 3)));
+          const ContactOptions options =
+            contact_options({formulation, InterfaceShear::shear_factor},
+                            penalty);
+          ContactAssembler contact(space,
+                                   {},
+                                   Edge::top,
+                                   std::make_shared<example::Ceiling>(1.),
+                                   options);
+          Vector           u(2 * space->n_functions()), R(u.size());
+          const auto       move = [&](const double x, const double y) {
+            for (unsigned int i = 0; i < u.size(); i += 2)
+              {
+                u(i)     = x;
+                u(i + 1) = y;
+              }
+            R = 0.;
+            contact.add(u, R, nullptr);
+          };
+          set_strength(contact, strength);
+          move(0., p / penalty);
+          contact.shear()->accept();
+          set_strength(contact, strength);
+          const double delta  = options.interface.transition * 2. / 16.;
+          const double closed = p > 0. ? 4. : 0.;
+          for (const double open : {-0.5, 0., 0.25, 0.5, 1., 1.5})
+            {
+              move(slip, -(closed + open) * delta);
+              const double part = std::clamp(1. - open, 0., 1.);
+              for (const double tau : contact.shear()->at_points())
+                EXPECT_NEAR(std::abs(tau),
+                            0.5 * strength * part,
+                            1e-8 * strength)
+                  << p << " " << open;
+            }
+        }
   }
 
   std::string

@@ -20,6 +20,15 @@ namespace
     return oil;
   }
 
+  LubricantParameters
+  barus_oil(const double alpha)
+  {
+    LubricantParameters oil            = unit_oil();
+    oil.viscosity.pressure_law         = PressureLaw::barus;
+    oil.viscosity.pressure_coefficient = alpha;
+    return oil;
+  }
+
   FilmEnds
   open_ends()
   {
@@ -127,11 +136,9 @@ TEST(ReynoldsFilm, piezoviscous_slider_follows_the_reduced_pressure)
   const double p_max[] = {.287682, .346574, .462098, .594126, .945867};
   for (unsigned int k = 0; k < 5; ++k)
     {
-      LubricantParameters oil            = unit_oil();
-      oil.viscosity.pressure_law         = PressureLaw::barus;
-      oil.viscosity.pressure_coefficient = alpha[k];
-      std::vector<FilmState> states;
-      const FilmForces       forces =
+      const LubricantParameters oil = barus_oil(alpha[k]);
+      std::vector<FilmState>    states;
+      const FilmForces          forces =
         solve_steady(oil, slider(2., 2000), open_ends(), states);
       EXPECT_NEAR(forces.load, load[k], 1e-5) << alpha[k];
       EXPECT_NEAR(forces.max_pressure, p_max[k], k < 4 ? 1e-5 : 1e-4);
@@ -144,12 +151,10 @@ TEST(ReynoldsFilm, cells_too_long_for_the_pressure_are_told)
 {
   // ln(1 - alpha q)/alpha changes most beside the peak of q = 1/4.
   const auto told = [](const double alpha, const unsigned int n) {
-    LubricantParameters oil            = unit_oil();
-    oil.viscosity.pressure_law         = PressureLaw::barus;
-    oil.viscosity.pressure_coefficient = alpha;
-    const FilmWalls        walls       = slider(2., n);
-    const ReynoldsFilm     film(oil, n, open_ends());
-    std::vector<FilmState> states(n);
+    const LubricantParameters oil   = barus_oil(alpha);
+    const FilmWalls           walls = slider(2., n);
+    const ReynoldsFilm        film(oil, n, open_ends());
+    std::vector<FilmState>    states(n);
     EXPECT_TRUE(film.solve(walls.geometry(), FilmStep(), states).converged);
     return film.coarseness(walls.geometry(), states);
   };
@@ -171,12 +176,10 @@ TEST(ReynoldsFilm, piezoviscous_blow_up_is_reported)
   for (const double alpha : {4., 4.2, 6., 40.})
     for (const unsigned int n : {100, 1000})
       {
-        LubricantParameters oil            = unit_oil();
-        oil.viscosity.pressure_law         = PressureLaw::barus;
-        oil.viscosity.pressure_coefficient = alpha;
-        const FilmWalls        walls       = slider(2., n);
-        const ReynoldsFilm     film(oil, n, open_ends());
-        std::vector<FilmState> states(n);
+        const LubricantParameters oil   = barus_oil(alpha);
+        const FilmWalls           walls = slider(2., n);
+        const ReynoldsFilm        film(oil, n, open_ends());
+        std::vector<FilmState>    states(n);
         const auto report = film.solve(walls.geometry(), FilmStep(), states);
         const std::string text = report.converged ?
                                    film.warning(walls.geometry(), states) :

@@ -11,7 +11,7 @@ namespace asperity
   /** The material points of a body that are next to its top edge. What happens
    *  at the edge itself lies on the straight line through the two uppermost
    *  points below it: the uppermost ones come closer to it with every
-   * refinement of the mesh, and strain changes by per cents on the way. */
+   *  refinement of the mesh, and strain changes by per cents on the way. */
   class SurfaceLayer
   {
   public:
