@@ -34,9 +34,11 @@ namespace asperity
                       "t_r/t_end: the pressure follows p/2 (1 - cos(pi "
                       "t/t_r)) until t_r.");
     parameters.integer("Ramp steps",
-                       ramp_steps,
+                       chosen_ramp_steps,
                        Range::between(1, 100000),
-                       "Time steps in the load ramp.");
+                       "Time steps in the load ramp; `automatic`: 24, or 36 "
+                       "where spots bear a part of the strength of the chip, "
+                       "which hardens while they grow.");
     parameters.integer("Slide steps",
                        slide_steps,
                        Range::between(1, 1000000),

@@ -254,6 +254,10 @@ namespace asperity
   {
     if (protocol.sliding_distance)
       protocol.end_time = *protocol.sliding_distance / load.velocity;
+    if (protocol.chosen_ramp_steps)
+      protocol.ramp_steps = *protocol.chosen_ramp_steps;
+    else if (interface.uses_shear_strength())
+      protocol.ramp_steps = 36;
   }
 
 

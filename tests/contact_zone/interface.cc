@@ -271,7 +271,7 @@ TEST(InterfaceOfScene, junctions_grow_with_their_shear_as_slip_lines_say)
   parameters.protocol.inertia           = Inertia::quasi_static;
   parameters.protocol.sliding_distance  = 30e-9;
   parameters.protocol.ramp_fraction     = 0.01;
-  parameters.protocol.ramp_steps        = 12;
+  parameters.protocol.chosen_ramp_steps = 12;
   parameters.protocol.slide_steps       = 6;
   parameters.interface.law              = InterfaceShear::shear_factor;
   parameters.interface.shear_factor     = 1.;

@@ -145,3 +145,20 @@ TEST(LoadProtocol, a_sliding_distance_sets_the_end_time)
   EXPECT_DOUBLE_EQ(protocol.displacement(protocol.end_time()), 1e-6);
   EXPECT_DOUBLE_EQ(protocol.ramp_time(), 0.2 * 0.5e-6);
 }
+
+TEST(LoadProtocol,
+     a_ramp_has_more_steps_where_spots_bear_the_strength_of_the_chip)
+{
+  const auto steps = [](const InterfaceShear               law,
+                        const std::optional<unsigned int> &chosen) {
+    SceneParameters parameters;
+    parameters.interface.law              = law;
+    parameters.protocol.chosen_ramp_steps = chosen;
+    parameters.resolve();
+    return parameters.protocol.ramp_steps;
+  };
+  EXPECT_EQ(steps(InterfaceShear::none, {}), 24u);
+  EXPECT_EQ(steps(InterfaceShear::coulomb, {}), 24u);
+  EXPECT_EQ(steps(InterfaceShear::shear_factor, {}), 36u);
+  EXPECT_EQ(steps(InterfaceShear::shear_factor, 7), 7u);
+}

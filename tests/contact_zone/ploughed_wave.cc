@@ -96,15 +96,15 @@ namespace
     parameters.load.pressure = forces(slope, f).second / std::cos(slope) *
                                strength / std::sqrt(3.) * contact_length /
                                period;
-    parameters.load.temperature          = 293.15;
-    parameters.protocol.inertia          = Inertia::quasi_static;
-    parameters.protocol.sliding_distance = 0.06 * contact_length;
-    parameters.protocol.ramp_fraction    = 0.04;
-    parameters.protocol.ramp_steps       = 20;
-    parameters.protocol.slide_steps      = 10;
-    parameters.interface.law             = InterfaceShear::shear_factor;
-    parameters.interface.shear_factor    = f;
-    parameters.heat.model                = HeatModel::isothermal;
+    parameters.load.temperature           = 293.15;
+    parameters.protocol.inertia           = Inertia::quasi_static;
+    parameters.protocol.sliding_distance  = 0.06 * contact_length;
+    parameters.protocol.ramp_fraction     = 0.04;
+    parameters.protocol.chosen_ramp_steps = 20;
+    parameters.protocol.slide_steps       = 10;
+    parameters.interface.law              = InterfaceShear::shear_factor;
+    parameters.interface.shear_factor     = f;
+    parameters.heat.model                 = HeatModel::isothermal;
     auto &law = parameters.material.constants<JohnsonCookParameters>();
     law.A     = strength;
     law.B = law.C = 0.;

@@ -174,6 +174,9 @@ namespace asperity
     /** Distance after which the chip slides back [m]; 0: it never does. */
     double reversal_distance = 0.;
 
+    /** Steps in the ramp; automatic: as SceneParameters::resolve() says. */
+    std::optional<unsigned int> chosen_ramp_steps;
+
     double         ramp_fraction    = 0.2;
     unsigned int   ramp_steps       = 24;
     unsigned int   slide_steps      = 96;
@@ -270,7 +273,7 @@ namespace asperity
     check(const ParameterDeclarator &parameters) const;
 
     /** Puts in numbers that follow from others: the end time from the sliding
-     *  distance. */
+     *  distance, the steps of the ramp from the law of the interface. */
     void
     resolve();
 
