@@ -7,6 +7,8 @@
 #include <deal.II/base/tensor.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
+#include <algorithm>
+
 namespace asperity
 {
   using dealii::Tensor;
@@ -67,8 +69,12 @@ namespace asperity
      *    [a * n_functions + b] of its functions, b <= a */
     template <class Integrand>
     void
-    integrate(const BasisTable &cells, const Integrand &integrand, Matrix &sum)
+    integrate(const BasisTable &cells,
+              const Integrand  &integrand,
+              MatrixEntries    &entries,
+              Matrix           &sum)
     {
+      entries.begin(sum);
       std::vector<double> block;
       for (const auto &entry : cells.elements)
         {
@@ -78,14 +84,10 @@ namespace asperity
           for (unsigned int q = 0; q < cells.points_per_element; ++q)
             integrand(element, q, block.data());
           for (unsigned int a = 0; a < n; ++a)
-            for (unsigned int b = 0; b < a; ++b)
-              block[b * n + a] = block[a * n + b];
-          for (unsigned int a = 0; a < n; ++a)
-            sum.add(entry.functions[a],
-                    n,
-                    entry.functions.data(),
-                    block.data() + a * n,
-                    false);
+            for (unsigned int b = 0; b < n; ++b)
+              entries.add(entry.functions[a],
+                          entry.functions[b],
+                          block[std::max(a, b) * n + std::min(a, b)]);
         }
     }
   } // namespace
@@ -109,6 +111,7 @@ namespace asperity
               block[a * n + b] += heat * element.N(q, a) * element.N(q, b);
           }
       },
+      entries,
       capacity);
   }
 
@@ -140,6 +143,7 @@ namespace asperity
           for (unsigned int b = 0; b <= a; ++b)
             block[a * n + b] += weight * (g[a] * g[b]);
       },
+      entries,
       conductance);
   }
 

@@ -5,6 +5,7 @@
 #include <asperity/heat/thermal_properties.h>
 #include <asperity/isogeometric/basis_table.h>
 #include <asperity/solvers/direct_solver.h>
+#include <asperity/solvers/matrix_entries.h>
 
 #include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/sparsity_pattern.h>
@@ -124,6 +125,7 @@ namespace asperity
     dealii::SparseMatrix<double>  capacity;    ///< int rho0 c N_a N_b dV
     dealii::SparseMatrix<double>  conductance; ///< int Grad N_a K Grad N_b dV
     dealii::SparseMatrix<double>  matrix;
+    MatrixEntries                 entries; ///< of capacity and conductance
     std::unique_ptr<DirectSolver> solver;
 
     Vector rise_;
