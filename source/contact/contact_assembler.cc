@@ -22,11 +22,11 @@ namespace asperity
 
 
   ContactAssembler::ContactAssembler(
-    std::shared_ptr<const SplineSpace>   space,
-    const PatchGeometry                 &geometry,
-    const Edge                           edge,
-    std::shared_ptr<const RigidObstacle> obstacle,
-    const ContactOptions                &options)
+    std::shared_ptr<const SplineSpace<2>> space,
+    const PatchGeometry<2>               &geometry,
+    const Edge                            edge,
+    std::shared_ptr<const RigidObstacle>  obstacle,
+    const ContactOptions                 &options)
     : space(std::move(space))
     , obstacle(std::move(obstacle))
     , options_(options)
@@ -67,7 +67,7 @@ namespace asperity
   {
     for (const auto &entry : table_.elements)
       {
-        const ElementView element(table_, entry);
+        const ElementView<2> element(table_, entry);
         for (unsigned int q = 0; q < table_.points_per_element; ++q)
           {
             const unsigned int point = element.point(q);
@@ -107,7 +107,7 @@ namespace asperity
   {
     for (const auto &entry : table_.elements)
       {
-        const ElementView element(table_, entry);
+        const ElementView<2> element(table_, entry);
         for (unsigned int q = 0; q < table_.points_per_element; ++q)
           {
             const unsigned int point = element.point(q);
@@ -246,7 +246,7 @@ namespace asperity
     std::vector<double> result(table_.JxW.size());
     for (const auto &entry : table_.elements)
       {
-        const ElementView element(table_, entry);
+        const ElementView<2> element(table_, entry);
         for (unsigned int q = 0; q < table_.points_per_element; ++q)
           {
             const unsigned int point = element.point(q);
@@ -335,7 +335,7 @@ namespace asperity
 
 
 
-  const BasisTable &
+  const BasisTable<2> &
   ContactAssembler::table() const
   {
     return table_;

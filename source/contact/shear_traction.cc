@@ -12,7 +12,7 @@ namespace asperity
   namespace
   {
     double
-    largest_element(const BasisTable &table)
+    largest_element(const BasisTable<2> &table)
     {
       double largest = 0.;
       for (const auto &element : table.elements)
@@ -38,7 +38,7 @@ namespace asperity
 
 
   ShearTraction::ShearTraction(const TractionSpace       &tractions,
-                               const BasisTable          &table,
+                               const BasisTable<2>       &table,
                                const InterfaceParameters &parameters,
                                const double               penalty)
     : tractions(tractions)
@@ -134,7 +134,7 @@ namespace asperity
   {
     for (const auto &entry : table.elements)
       {
-        const ElementView element(table, entry);
+        const ElementView<2> element(table, entry);
         for (unsigned int q = 0; q < table.points_per_element; ++q)
           {
             const unsigned int point = element.point(q);

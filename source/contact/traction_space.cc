@@ -10,8 +10,8 @@ namespace asperity
   using dealii::Tensor;
   using Matrix = dealii::SparseMatrix<double>;
 
-  TractionSpace::TractionSpace(const SplineSpace       &space,
-                               const BasisTable        &table,
+  TractionSpace::TractionSpace(const SplineSpace<2>    &space,
+                               const BasisTable<2>     &table,
                                const Edge               edge,
                                const ContactFormulation formulation)
     : formulation_(formulation)
@@ -22,7 +22,7 @@ namespace asperity
     std::vector<std::set<unsigned int>> overlap(edge_functions.size());
     for (const auto &entry : table.elements)
       {
-        const ElementView         element(table, entry);
+        const ElementView<2>      element(table, entry);
         std::vector<unsigned int> functions, columns;
         for (unsigned int a = 0; a < element.n_functions(); ++a)
           {
@@ -78,7 +78,7 @@ namespace asperity
       }
     for (unsigned int e = 0; e < table.elements.size(); ++e)
       {
-        const ElementView element(table, table.elements[e]);
+        const ElementView<2> element(table, table.elements[e]);
         for (unsigned int q = 0; q < table.points_per_element; ++q)
           for (unsigned int i = 0; i < element_functions[e].size(); ++i)
             action(element.point(q),
@@ -136,8 +136,8 @@ namespace asperity
         for (const unsigned int b : indices)
           for (unsigned int i = 0; i < 2; ++i)
             for (unsigned int j = 0; j < 2; ++j)
-              pattern.add(displacement_dof(edge_functions[a], i),
-                          displacement_dof(edge_functions[b], j));
+              pattern.add(displacement_dof<2>(edge_functions[a], i),
+                          displacement_dof<2>(edge_functions[b], j));
     };
     for (const auto &indices : formulation_ == ContactFormulation::mortar ?
                                  neighbours :
@@ -171,9 +171,9 @@ namespace asperity
         h[a].resize(neighbours[a].size());
     for (unsigned int e = 0; e < table.elements.size(); ++e)
       {
-        const ElementView element(table, table.elements[e]);
-        const auto       &functions = element_functions[e];
-        const auto       &columns   = element_columns[e];
+        const ElementView<2> element(table, table.elements[e]);
+        const auto          &functions = element_functions[e];
+        const auto          &columns   = element_columns[e];
         for (unsigned int i = 0; i < functions.size(); ++i)
           {
             const unsigned int a = functions[i];
@@ -214,10 +214,10 @@ namespace asperity
         for (unsigned int l = 0; l < of_w[a].size(); ++l)
           for (unsigned int i = 0; i < 2; ++i)
             for (unsigned int j = 0; j < 2; ++j)
-              tangent.add(displacement_dof(edge_functions[neighbours[a][k]], i),
-                          displacement_dof(edge_functions[neighbours[a][l]], j),
-                          factors[a] / weight[a] * of_v[a][k][i] *
-                            of_w[a][l][j]);
+              tangent.add(
+                displacement_dof<2>(edge_functions[neighbours[a][k]], i),
+                displacement_dof<2>(edge_functions[neighbours[a][l]], j),
+                factors[a] / weight[a] * of_v[a][k][i] * of_w[a][l][j]);
   }
 
 
@@ -231,9 +231,9 @@ namespace asperity
     for (unsigned int e = 0; e < table.elements.size(); ++e)
       for (unsigned int q = 0; q < table.points_per_element; ++q)
         {
-          const ElementView  element(table, table.elements[e]);
-          const unsigned int point  = element.point(q);
-          const double       factor = factors[point] * element.JxW(q);
+          const ElementView<2> element(table, table.elements[e]);
+          const unsigned int   point  = element.point(q);
+          const double         factor = factors[point] * element.JxW(q);
           if (factor == 0.)
             continue;
           for (const unsigned int a : element_columns[e])

@@ -59,7 +59,7 @@ namespace asperity
 
 
 
-  SplineSpace::CellLevel
+  SplineSpace<2>::CellLevel
   MeshAdaptation::level_beside(const std::vector<double> &points,
                                const double               halo) const
   {
@@ -83,7 +83,7 @@ namespace asperity
   bool
   MeshAdaptation::is_needed(const double time, const double approach) const
   {
-    const SplineSpace::CellLevel level =
+    const SplineSpace<2>::CellLevel level =
       level_beside(touching(time,
                             approach,
                             std::max(reserve * parameters.mesh.remesh_distance,
@@ -101,7 +101,7 @@ namespace asperity
 
 
 
-  SplineSpace::CellLevel
+  SplineSpace<2>::CellLevel
   MeshAdaptation::wanted(const double time, const double approach) const
   {
     const auto points = touching(time,

@@ -110,7 +110,7 @@ namespace asperity
                                       DirectSolverKind::supernodal_lu);
     // A chip that floats on oil is held by the oil's volume alone.
     equilibrium->set_support(
-      displacement_dof(space->edge_functions(Edge::bottom).front(), 1));
+      displacement_dof<2>(space->edge_functions(Edge::bottom).front(), 1));
   }
 
 
@@ -121,13 +121,13 @@ namespace asperity
     constraints_.clear();
     bottom_load_.reinit(n_unknowns());
     for (const unsigned int a : space->edge_functions(Edge::bottom))
-      constraints_.add_line(displacement_dof(a, 0));
+      constraints_.add_line(displacement_dof<2>(a, 0));
     constraints_.close();
-    const BasisTable bottom = tabulate_edge(
+    const BasisTable<2> bottom = tabulate_edge(
       *space, geometry, Edge::bottom, dealii::QGauss<1>(space->degree() + 1));
     for (const auto &entry : bottom.elements)
       {
-        const ElementView element(bottom, entry);
+        const ElementView<2> element(bottom, entry);
         for (unsigned int q = 0; q < bottom.points_per_element; ++q)
           for (unsigned int a = 0; a < element.n_functions(); ++a)
             bottom_load_(element.dof(a, 1)) += element.N(q, a) * element.JxW(q);
@@ -221,8 +221,8 @@ namespace asperity
     Vector u(n_unknowns());
     for (unsigned int a = 0; a < space->n_functions(); ++a)
       {
-        u(displacement_dof(a, 0)) = x;
-        u(displacement_dof(a, 1)) = y;
+        u(displacement_dof<2>(a, 0)) = x;
+        u(displacement_dof<2>(a, 1)) = y;
       }
     return u;
   }

@@ -47,8 +47,8 @@ namespace asperity
 
 
   SceneHeat::SceneHeat(const SceneParameters  &parameters,
-                       const SplineSpace      &space,
-                       const PatchGeometry    &geometry,
+                       const SplineSpace<2>   &space,
+                       const PatchGeometry<2> &geometry,
                        const double            period,
                        SolidAssembler         &chip,
                        const ContactAssembler &contact)
@@ -68,7 +68,7 @@ namespace asperity
     , tool_rise(chip_rise.size(), temperature_of_tool(parameters) - start)
     , to_tool(chip_rise.size(), 0.)
   {
-    const BasisTable bottom =
+    const BasisTable<2> bottom =
       tabulate_edge(space,
                     geometry,
                     Edge::bottom,

@@ -104,8 +104,8 @@ namespace asperity
       graded_rows(height, length / n, mesh.grading);
     check_size(mesh, rows);
     space =
-      std::make_shared<SplineSpace>(KnotVector(mesh.degree, columns, true),
-                                    KnotVector(mesh.degree, rows));
+      std::make_shared<SplineSpace<2>>(KnotVector(mesh.degree, columns, true),
+                                       KnotVector(mesh.degree, rows));
     for (unsigned int level = 1; level <= mesh.n_even_levels(); ++level)
       space->refine_to_level(
         level, [&](const Point<2> &, const Point<2> &upper) {
@@ -115,7 +115,7 @@ namespace asperity
       return;
     // The offset of the chip's top decays into the depth, so that the coarse
     // rows need not resolve it.
-    geometry = PatchGeometry::from_map(*space, [&](const Point<2> &p) {
+    geometry = PatchGeometry<2>::from_map(*space, [&](const Point<2> &p) {
       const double eta = p[1] / height;
       return Point<2>(p[0],
                       p[1] + (chip_surface.height(p[0]) - height) *
@@ -126,8 +126,8 @@ namespace asperity
 
 
   bool
-  Scene::adapt_mesh(const SceneParameters        &parameters,
-                    const SplineSpace::CellLevel &wanted)
+  Scene::adapt_mesh(const SceneParameters           &parameters,
+                    const SplineSpace<2>::CellLevel &wanted)
   {
     Assert(geometry.offset.empty() && !lubricant && !heat,
            dealii::ExcNotImplemented());

@@ -15,7 +15,7 @@ namespace asperity
   namespace
   {
     Vector
-    moved(const SpaceTransfer &transfer, const Vector &u)
+    moved(const SpaceTransfer<2> &transfer, const Vector &u)
     {
       const std::vector<double> coefficients =
         transfer.apply(std::vector<double>(u.begin(), u.end()), 2);
@@ -24,12 +24,12 @@ namespace asperity
 
     /** Where closest points may lie: above those of the edge. */
     std::vector<double>
-    hints(const BasisTable &edge, const Vector &u)
+    hints(const BasisTable<2> &edge, const Vector &u)
     {
       std::vector<double> x;
       for (const auto &entry : edge.elements)
         {
-          const ElementView element(edge, entry);
+          const ElementView<2> element(edge, entry);
           for (unsigned int q = 0; q < edge.points_per_element; ++q)
             {
               dealii::Point<2> point = edge.position[element.point(q)];
@@ -108,10 +108,10 @@ namespace asperity
 
 
   void
-  SlidingRun::go_back(const StepStart &start, const SplineHierarchy &before)
+  SlidingRun::go_back(const StepStart &start, const SplineHierarchy<2> &before)
   {
-    const SplineHierarchy &after = *scene.space->hierarchy();
-    const SpaceTransfer    transfer(before, after);
+    const SplineHierarchy<2> &after = *scene.space->hierarchy();
+    const SpaceTransfer<2>    transfer(before, after);
     scene.chip->set_history(
       transfer_states(before,
                       after,

@@ -7,7 +7,8 @@
 namespace asperity
 {
   std::vector<SurfaceLayer::Column>
-  SurfaceLayer::columns_under(const BasisTable &body, const BasisTable &edge)
+  SurfaceLayer::columns_under(const BasisTable<2> &body,
+                              const BasisTable<2> &edge)
   {
     std::set<unsigned int> cells;
     for (const auto &element : edge.elements)
@@ -38,9 +39,9 @@ namespace asperity
 
 
 
-  SurfaceLayer::SurfaceLayer(const BasisTable &body,
-                             const BasisTable &edge,
-                             const double      period)
+  SurfaceLayer::SurfaceLayer(const BasisTable<2> &body,
+                             const BasisTable<2> &edge,
+                             const double         period)
     : columns(columns_under(body, edge))
   {
     for (const Column &column : columns)

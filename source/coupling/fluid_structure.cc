@@ -93,10 +93,10 @@ namespace asperity
     for (const Edge edge : body_.clamped)
       for (const unsigned int a : body_.space->edge_functions(edge))
         for (unsigned int c = 0; c < 2; ++c)
-          constraints.add_line(displacement_dof(a, c));
+          constraints.add_line(displacement_dof<2>(a, c));
     for (const Edge edge : body_.held_in_y)
       for (const unsigned int a : body_.space->edge_functions(edge))
-        constraints.add_line(displacement_dof(a, 1));
+        constraints.add_line(displacement_dof<2>(a, 1));
     constraints.close();
     solid_side = std::make_unique<SplineSolid>(assembler,
                                                constraints,
@@ -156,7 +156,8 @@ namespace asperity
     for (unsigned int a = 0; a < N.size(); ++a)
       for (unsigned int c = 0; c < 2; ++c)
         value[c] +=
-          N[a] * u(displacement_dof(body_.space->cell_functions(cell)[a], c));
+          N[a] *
+          u(displacement_dof<2>(body_.space->cell_functions(cell)[a], c));
     return value;
   }
 

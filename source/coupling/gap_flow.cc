@@ -152,10 +152,10 @@ namespace asperity
 
 
 
-  GapFlow::GapFlow(const SplineSpace    &space,
-                   const PatchGeometry  &geometry,
-                   const SplineCurve    &tool,
-                   const GapFlowOptions &options)
+  GapFlow::GapFlow(const SplineSpace<2>   &space,
+                   const PatchGeometry<2> &geometry,
+                   const SplineCurve      &tool,
+                   const GapFlowOptions   &options)
     : inertia(options.inertia)
     , geometry(geometry)
     , edge(*space.hierarchy(), Edge::top)

@@ -15,7 +15,7 @@ namespace asperity
     offset.resize(chip.size() / 2);
     for (unsigned int a = 0; a < offset.size(); ++a)
       for (unsigned int c = 0; c < 2; ++c)
-        offset[a][c] += chip(displacement_dof(a, c));
+        offset[a][c] += chip(displacement_dof<2>(a, c));
     return edge.curve(offset);
   }
 

@@ -12,8 +12,8 @@ namespace asperity
   using Vector = dealii::Vector<double>;
 
   std::vector<EdgePoint>
-  find_on_edges(const SplineSpace           &space,
-                const PatchGeometry         &geometry,
+  find_on_edges(const SplineSpace<2>        &space,
+                const PatchGeometry<2>      &geometry,
                 const std::vector<Edge>     &edges,
                 const std::vector<Point<2>> &positions,
                 const double                 tolerance)
@@ -51,7 +51,7 @@ namespace asperity
   namespace
   {
     Point<2>
-    patch_parameter(const SplineHierarchy &hierarchy, const EdgePoint &place)
+    patch_parameter(const SplineHierarchy<2> &hierarchy, const EdgePoint &place)
     {
       const unsigned int along =
         (place.edge == Edge::left || place.edge == Edge::right) ? 1 : 0;
@@ -68,8 +68,8 @@ namespace asperity
 
 
 
-  Interface::Interface(const SplineSpace            &space,
-                       const PatchGeometry          &geometry,
+  Interface::Interface(const SplineSpace<2>         &space,
+                       const PatchGeometry<2>       &geometry,
                        const std::vector<EdgePoint> &points)
     : n_dofs(2 * space.n_functions())
   {
@@ -107,7 +107,7 @@ namespace asperity
     for (unsigned int i = 0; i < n_points(); ++i)
       for (const auto &[a, N] : rows[i])
         for (unsigned int c = 0; c < 2; ++c)
-          values(2 * i + c) += N * u(displacement_dof(a, c));
+          values(2 * i + c) += N * u(displacement_dof<2>(a, c));
     return values;
   }
 
@@ -121,7 +121,7 @@ namespace asperity
     for (unsigned int i = 0; i < n_points(); ++i)
       for (const auto &[a, N] : rows[i])
         for (unsigned int c = 0; c < 2; ++c)
-          loads(displacement_dof(a, c)) += N * force(2 * i + c);
+          loads(displacement_dof<2>(a, c)) += N * force(2 * i + c);
   }
 
 

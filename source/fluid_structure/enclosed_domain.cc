@@ -75,16 +75,17 @@ namespace asperity
       const unsigned int    degree = p.degree.value_or(2);
       const double          back   = parameters.geometry.height;
       SplineBody            body;
-      const auto            space = std::make_shared<SplineSpace>(
+      const auto            space = std::make_shared<SplineSpace<2>>(
         KnotVector(degree,
                    uniform_breaks(
                      p.spans_along.value_or(parameters.fluid.cells_along))),
         KnotVector(degree, uniform_breaks(p.spans_across.value_or(8))));
-      body.space     = space;
-      body.geometry  = PatchGeometry::from_map(*space, [&](const Point<2> &xi) {
-        const double y = geometry.length * xi[0];
-        return Point<2>(back - xi[1] * (back + geometry.chip.height(y)), y);
-      });
+      body.space = space;
+      body.geometry =
+        PatchGeometry<2>::from_map(*space, [&](const Point<2> &xi) {
+          const double y = geometry.length * xi[0];
+          return Point<2>(back - xi[1] * (back + geometry.chip.height(y)), y);
+        });
       body.law       = parameters.material.make_law();
       body.clamped   = {Edge::bottom};
       body.held_in_y = {Edge::left, Edge::right};
@@ -137,9 +138,9 @@ namespace asperity
         return patch.position(*space, {xi, 1.})[0];
       }
 
-      Geometry                           geometry;
-      std::shared_ptr<const SplineSpace> space;
-      PatchGeometry                      patch;
+      Geometry                              geometry;
+      std::shared_ptr<const SplineSpace<2>> space;
+      PatchGeometry<2>                      patch;
     };
 
     /** Y -> (-s(Y), Y) */

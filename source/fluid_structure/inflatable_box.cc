@@ -99,11 +99,11 @@ namespace asperity
       const BodyParameters &p      = parameters.body;
       const unsigned int    degree = p.degree.value_or(2);
       SplineBody            body;
-      const auto            space = std::make_shared<SplineSpace>(
+      const auto            space = std::make_shared<SplineSpace<2>>(
         wall_knots(degree, p.spans_along.value_or(4)),
         KnotVector(degree, uniform_breaks(p.spans_across.value_or(2))));
       body.space    = space;
-      body.geometry = PatchGeometry::from_map(*space, wall_position);
+      body.geometry = PatchGeometry<2>::from_map(*space, wall_position);
       body.law      = parameters.material.make_law();
       body.clamped  = {Edge::left, Edge::right};
       body.wet      = {Edge::top};

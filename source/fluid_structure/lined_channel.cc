@@ -56,17 +56,18 @@ namespace asperity
       const unsigned int    degree  = p.degree.value_or(2);
       const double          end     = length / n_cells;
       SplineBody            body;
-      const auto            space = std::make_shared<SplineSpace>(
+      const auto            space = std::make_shared<SplineSpace<2>>(
         KnotVector(degree, uniform_breaks(p.spans_along.value_or(n_cells - 2))),
         KnotVector(degree, uniform_breaks(p.spans_across.value_or(2))));
-      body.space    = space;
-      body.geometry = PatchGeometry::from_map(*space, [&](const Point<2> &xi) {
-        return Point<2>(end + (length - 2. * end) * xi[0],
-                        height + thickness * xi[1]);
-      });
-      body.law      = parameters.material.make_law();
-      body.clamped  = {Edge::left, Edge::right, Edge::top};
-      body.wet      = {Edge::bottom};
+      body.space = space;
+      body.geometry =
+        PatchGeometry<2>::from_map(*space, [&](const Point<2> &xi) {
+          return Point<2>(end + (length - 2. * end) * xi[0],
+                          height + thickness * xi[1]);
+        });
+      body.law     = parameters.material.make_law();
+      body.clamped = {Edge::left, Edge::right, Edge::top};
+      body.wet     = {Edge::bottom};
       return body;
     }
   } // namespace

@@ -34,18 +34,20 @@ namespace asperity
       const BodyParameters &p      = parameters.body;
       const unsigned int    degree = p.degree.value_or(3);
       SplineBody            body;
-      const auto            space = std::make_shared<SplineSpace>(
+      const auto            space = std::make_shared<SplineSpace<2>>(
         KnotVector(degree, graded_breaks(p.spans_along.value_or(16))),
         KnotVector(degree, uniform_breaks(p.spans_across.value_or(2))));
-      body.space    = space;
-      body.geometry = PatchGeometry::from_map(*space, [](const Point<2> &xi) {
-        const double y   = 0.19 + 0.02 * xi[1];
-        const double arc = 0.2 + std::sqrt(0.05 * 0.05 - (y - 0.2) * (y - 0.2));
-        return Point<2>(arc + xi[0] * (0.6 - arc), y);
-      });
-      body.law      = parameters.material.make_law();
-      body.clamped  = {Edge::left};
-      body.wet      = {Edge::bottom, Edge::right, Edge::top};
+      body.space = space;
+      body.geometry =
+        PatchGeometry<2>::from_map(*space, [](const Point<2> &xi) {
+          const double y = 0.19 + 0.02 * xi[1];
+          const double arc =
+            0.2 + std::sqrt(0.05 * 0.05 - (y - 0.2) * (y - 0.2));
+          return Point<2>(arc + xi[0] * (0.6 - arc), y);
+        });
+      body.law     = parameters.material.make_law();
+      body.clamped = {Edge::left};
+      body.wet     = {Edge::bottom, Edge::right, Edge::top};
       return body;
     }
 

@@ -9,7 +9,7 @@ namespace asperity
 {
   using Vector = dealii::Vector<double>;
 
-  BodyContinuation::BodyContinuation(const BasisTable        &edge,
+  BodyContinuation::BodyContinuation(const BasisTable<2>     &edge,
                                      const ThermalProperties &material,
                                      const double             period,
                                      const unsigned int       n_waves)
@@ -35,7 +35,7 @@ namespace asperity
     b.reinit(f.n(), functions.size());
     for (const auto &entry : edge.elements)
       {
-        const ElementView element(edge, entry);
+        const ElementView<2> element(edge, entry);
         for (unsigned int a = 0; a < element.n_functions(); ++a)
           {
             const unsigned int column = std::lower_bound(functions.begin(),

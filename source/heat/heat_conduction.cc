@@ -15,7 +15,7 @@ namespace asperity
   using Vector = dealii::Vector<double>;
   using Matrix = dealii::SparseMatrix<double>;
 
-  HeatConduction::HeatConduction(const BasisTable        &cells,
+  HeatConduction::HeatConduction(const BasisTable<2>     &cells,
                                  const unsigned int       n_functions,
                                  const ThermalProperties &material)
     : cells(cells)
@@ -31,9 +31,9 @@ namespace asperity
 
 
   void
-  HeatConduction::continue_beyond(const BasisTable  &edge,
-                                  const double       period,
-                                  const unsigned int n_waves)
+  HeatConduction::continue_beyond(const BasisTable<2> &edge,
+                                  const double         period,
+                                  const unsigned int   n_waves)
   {
     continuation.emplace(edge, material, period, n_waves);
     make_pattern();
@@ -69,17 +69,17 @@ namespace asperity
      *    [a * n_functions + b] of its functions, b <= a */
     template <class Integrand>
     void
-    integrate(const BasisTable &cells,
-              const Integrand  &integrand,
-              MatrixEntries    &entries,
-              Matrix           &sum)
+    integrate(const BasisTable<2> &cells,
+              const Integrand     &integrand,
+              MatrixEntries       &entries,
+              Matrix              &sum)
     {
       entries.begin(sum);
       std::vector<double> block;
       for (const auto &entry : cells.elements)
         {
-          const ElementView  element(cells, entry);
-          const unsigned int n = element.n_functions();
+          const ElementView<2> element(cells, entry);
+          const unsigned int   n = element.n_functions();
           block.assign(n * n, 0.);
           for (unsigned int q = 0; q < cells.points_per_element; ++q)
             integrand(element, q, block.data());
@@ -101,7 +101,9 @@ namespace asperity
     heat_content = 0.;
     integrate(
       cells,
-      [this](const ElementView &element, const unsigned int q, double *block) {
+      [this](const ElementView<2> &element,
+             const unsigned int    q,
+             double               *block) {
         const unsigned int n = element.n_functions();
         const double heat    = material.volumetric_capacity() * element.JxW(q);
         for (unsigned int a = 0; a < n; ++a)
@@ -124,7 +126,7 @@ namespace asperity
     std::vector<Tensor<1, 2>> g;
     integrate(
       cells,
-      [&](const ElementView &element, const unsigned int q, double *block) {
+      [&](const ElementView<2> &element, const unsigned int q, double *block) {
         const unsigned int n = element.n_functions();
         Tensor<2, 2>       F;
         F[0][0] = F[1][1] = 1.;

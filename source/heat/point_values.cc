@@ -6,12 +6,12 @@ namespace asperity
   using Vector = dealii::Vector<double>;
 
   Vector
-  values_at_points(const BasisTable &table, const Vector &coefficients)
+  values_at_points(const BasisTable<2> &table, const Vector &coefficients)
   {
     Vector values(table.JxW.size());
     for (const auto &entry : table.elements)
       {
-        const ElementView element(table, entry);
+        const ElementView<2> element(table, entry);
         for (unsigned int q = 0; q < table.points_per_element; ++q)
           for (unsigned int a = 0; a < element.n_functions(); ++a)
             values(element.point(q)) +=
@@ -23,13 +23,13 @@ namespace asperity
 
 
   void
-  add_point_values(const BasisTable &table,
-                   const Vector     &values,
-                   Vector           &result)
+  add_point_values(const BasisTable<2> &table,
+                   const Vector        &values,
+                   Vector              &result)
   {
     for (const auto &entry : table.elements)
       {
-        const ElementView element(table, entry);
+        const ElementView<2> element(table, entry);
         for (unsigned int q = 0; q < table.points_per_element; ++q)
           for (unsigned int a = 0; a < element.n_functions(); ++a)
             result(element.function(a)) +=

@@ -66,7 +66,7 @@ namespace asperity
       std::vector<double>       x; ///< in the frame of the tool [m]
       Vector                    s;
 
-      Exchange(const InterfaceHeat &interface, const BasisTable &edge)
+      Exchange(const InterfaceHeat &interface, const BasisTable<2> &edge)
       {
         for (unsigned int q = 0; q < edge.JxW.size(); ++q)
           if (interface.conductance[q] > 0.)
@@ -151,12 +151,12 @@ namespace asperity
      */
     template <class Respond>
     Vector
-    exchanged_heat(const Exchange     &exchange,
-                   const ToolResponse &tool,
-                   const BasisTable   &edge,
-                   const Respond      &respond,
-                   const Vector       &difference,
-                   unsigned int       &iterations)
+    exchanged_heat(const Exchange      &exchange,
+                   const ToolResponse  &tool,
+                   const BasisTable<2> &edge,
+                   const Respond       &respond,
+                   const Vector        &difference,
+                   unsigned int        &iterations)
     {
       const unsigned int n       = difference.size();
       const auto         product = [&](const Vector &y) {
@@ -181,7 +181,7 @@ namespace asperity
 
 
 
-  ThermalContact::ThermalContact(const BasisTable        &edge,
+  ThermalContact::ThermalContact(const BasisTable<2>     &edge,
                                  const ThermalProperties &tool,
                                  const double             period,
                                  const unsigned int       n_waves,

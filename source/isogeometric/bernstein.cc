@@ -34,25 +34,35 @@ namespace asperity
 
 
 
-  BernsteinTable::BernsteinTable(const unsigned int                   degree,
-                                 const std::vector<dealii::Point<2>> &points)
+  template <int dim>
+  BernsteinTable<dim>::BernsteinTable(
+    const unsigned int                     degree,
+    const std::vector<dealii::Point<dim>> &points)
   {
-    const unsigned int  n = degree + 1;
-    std::vector<double> value_x, derivative_x, value_y, derivative_y;
+    const unsigned int                   n   = degree + 1;
+    const unsigned int                   n_b = tensor_size<dim>(n);
+    std::array<std::vector<double>, dim> value, derivative;
     for (const auto &point : points)
       {
-        bernstein(degree, point[0], value_x, derivative_x);
-        bernstein(degree, point[1], value_y, derivative_y);
-        values.emplace_back(n * n);
-        gradients.emplace_back(n * n);
-        for (unsigned int b_y = 0; b_y < n; ++b_y)
-          for (unsigned int b_x = 0; b_x < n; ++b_x)
-            {
-              const unsigned int b   = b_y * n + b_x;
-              values.back()[b]       = value_x[b_x] * value_y[b_y];
-              gradients.back()[b][0] = derivative_x[b_x] * value_y[b_y];
-              gradients.back()[b][1] = value_x[b_x] * derivative_y[b_y];
-            }
+        for (unsigned int d = 0; d < dim; ++d)
+          bernstein(degree, point[d], value[d], derivative[d]);
+        values.emplace_back(n_b);
+        gradients.emplace_back(n_b);
+        for (unsigned int b = 0; b < n_b; ++b)
+          {
+            const auto index   = tensor_index<dim>(b, n);
+            double     product = 1.;
+            for (unsigned int d = 0; d < dim; ++d)
+              product *= value[d][index[d]];
+            values.back()[b] = product;
+            for (unsigned int e = 0; e < dim; ++e)
+              {
+                double factor = 1.;
+                for (unsigned int d = 0; d < dim; ++d)
+                  factor *= (d == e ? derivative : value)[d][index[d]];
+                gradients.back()[b][e] = factor;
+              }
+          }
       }
   }
 
@@ -79,34 +89,50 @@ namespace asperity
 
 
 
+  template <int dim>
   dealii::FullMatrix<double>
   tensor_transform(const dealii::FullMatrix<double> &coefficients,
-                   const dealii::FullMatrix<double> &x,
-                   const dealii::FullMatrix<double> &y)
+                   const DirectionMatrices<dim>     &matrices)
   {
     // Matrices are stored by rows; plain pointers keep debug builds bearable.
-    const unsigned int         n = x.m();
-    dealii::FullMatrix<double> result(coefficients.m(), n * n);
+    const unsigned int         n      = matrices[0]->m();
+    const unsigned int         n_all  = tensor_size<dim>(n);
+    const unsigned int         n_rest = n_all / n;
+    dealii::FullMatrix<double> result(coefficients.m(), n_all);
     if (coefficients.m() == 0)
       return result;
-    const double       *X = &x(0, 0), *Y = &y(0, 0);
-    std::vector<double> half(n * n);
+    std::vector<double> from(n_all), to(n_all);
     for (unsigned int row = 0; row < coefficients.m(); ++row)
       {
-        const double *from = &coefficients(row, 0);
-        double       *to   = &result(row, 0);
-        std::fill(half.begin(), half.end(), 0.);
-        for (unsigned int a_y = 0; a_y < n; ++a_y)
-          for (unsigned int a_x = 0; a_x < n; ++a_x)
-            if (const double c = from[a_y * n + a_x]; c != 0.)
-              for (unsigned int b_x = 0; b_x < n; ++b_x)
-                half[a_y * n + b_x] += c * X[a_x * n + b_x];
-        for (unsigned int a_y = 0; a_y < n; ++a_y)
-          for (unsigned int b_y = 0; b_y < n; ++b_y)
-            if (const double c = Y[a_y * n + b_y]; c != 0.)
-              for (unsigned int b_x = 0; b_x < n; ++b_x)
-                to[b_y * n + b_x] += c * half[a_y * n + b_x];
+        const double *given = &coefficients(row, 0);
+        std::copy(given, given + n_all, from.begin());
+        // The transformed direction becomes the slowest, so that the next one
+        // is the fastest; after all the order is the old one.
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            const double *M = &(*matrices[d])(0, 0);
+            std::fill(to.begin(), to.end(), 0.);
+            for (unsigned int rest = 0; rest < n_rest; ++rest)
+              for (unsigned int a = 0; a < n; ++a)
+                if (const double c = from[rest * n + a]; c != 0.)
+                  for (unsigned int b = 0; b < n; ++b)
+                    to[b * n_rest + rest] += c * M[a * n + b];
+            from.swap(to);
+          }
+        std::copy(from.begin(), from.end(), &result(row, 0));
       }
     return result;
   }
+
+
+
+  template struct BernsteinTable<2>;
+  template struct BernsteinTable<3>;
+
+  template dealii::FullMatrix<double>
+  tensor_transform<2>(const dealii::FullMatrix<double> &,
+                      const DirectionMatrices<2> &);
+  template dealii::FullMatrix<double>
+  tensor_transform<3>(const dealii::FullMatrix<double> &,
+                      const DirectionMatrices<3> &);
 } // namespace asperity

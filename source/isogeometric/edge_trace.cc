@@ -12,7 +12,7 @@ namespace asperity
     /** Knots of the trace: the ends of the edge's cells, once, or as often as
      *  in the level-0 knots. */
     KnotVector
-    merged_knots(const SplineHierarchy           &hierarchy,
+    merged_knots(const SplineHierarchy<2>        &hierarchy,
                  const std::vector<unsigned int> &cells,
                  const unsigned int               along)
     {
@@ -37,15 +37,12 @@ namespace asperity
 
 
 
-  EdgeTrace::EdgeTrace(const SplineHierarchy &hierarchy, const Edge edge)
+  EdgeTrace::EdgeTrace(const SplineHierarchy<2> &hierarchy, const Edge edge)
     : edge(edge)
   {
-    const bool         vertical = edge == Edge::left || edge == Edge::right;
-    const unsigned int along    = vertical ? 1 : 0;
-    const KnotVector  &normal   = hierarchy.knots(0, 1 - along);
-    fixed_parameter             = (edge == Edge::left || edge == Edge::bottom) ?
-                                    normal.front() :
-                                    normal.back();
+    const unsigned int along  = directions_along<2>(edge)[0];
+    const KnotVector  &normal = hierarchy.knots(0, normal_direction<2>(edge));
+    fixed_parameter = is_at_end(edge) ? normal.back() : normal.front();
 
     const auto cells = edge_cells(hierarchy, edge);
     trace_knots      = merged_knots(hierarchy, cells, along);
@@ -75,7 +72,7 @@ namespace asperity
           }
       }
 
-    const auto on_edge = edge_bernstein(hierarchy.degree(), edge);
+    const auto on_edge = edge_bernstein<2>(hierarchy.degree(), edge);
     trace_weights.resize(trace_knots.n_basis());
     for (unsigned int i = 0; i < trace_knots.n_basis(); ++i)
       {
@@ -129,8 +126,7 @@ namespace asperity
   SplineCurve
   EdgeTrace::curve(const std::vector<dealii::Tensor<1, 2>> &offset) const
   {
-    const unsigned int along =
-      (edge == Edge::left || edge == Edge::right) ? 1 : 0;
+    const unsigned int            along    = directions_along<2>(edge)[0];
     const auto                    greville = trace_knots.greville();
     std::vector<dealii::Point<2>> points(greville.size());
     for (unsigned int i = 0; i < points.size(); ++i)

@@ -1,3 +1,4 @@
+#include <asperity/isogeometric/bernstein.h>
 #include <asperity/isogeometric/space_transfer.h>
 
 #include <deal.II/base/exceptions.h>
@@ -11,22 +12,24 @@ namespace asperity
   namespace
   {
     /** Points of cells inside a region (a cell of the coarser mesh), in the
-     * unit square of the region, with weights that sum to one. */
+     * unit cell of the region, with weights that sum to one. */
+    template <int dim>
     struct Points
     {
-      std::vector<dealii::Point<2>> position;
-      std::vector<double>           weight;
-      std::vector<std::size_t>      number; ///< cell * n_q + q
+      std::vector<dealii::Point<dim>> position;
+      std::vector<double>             weight;
+      std::vector<std::size_t>        number; ///< cell * n_q + q
     };
 
 
 
+    template <int dim>
     void
-    collect(const SplineHierarchy       &hierarchy,
-            const CellIndex             &region,
-            const unsigned int           node_number,
-            const dealii::Quadrature<2> &quadrature,
-            Points                      &points)
+    collect(const SplineHierarchy<dim>    &hierarchy,
+            const CellIndex<dim>          &region,
+            const unsigned int             node_number,
+            const dealii::Quadrature<dim> &quadrature,
+            Points<dim>                   &points)
     {
       const auto &node = hierarchy.nodes()[node_number];
       if (node.cell < 0)
@@ -37,13 +40,13 @@ namespace asperity
         }
       const unsigned int levels = node.index.level - region.level;
       const double       width  = 1. / (1u << levels);
-      const double       x      = (node.index.i - (region.i << levels)) * width;
-      const double       y      = (node.index.j - (region.j << levels)) * width;
+      dealii::Point<dim> corner;
+      for (unsigned int d = 0; d < dim; ++d)
+        corner[d] = (node.index.spans[d] - (region.spans[d] << levels)) * width;
       for (unsigned int q = 0; q < quadrature.size(); ++q)
         {
-          points.position.emplace_back(x + width * quadrature.point(q)[0],
-                                       y + width * quadrature.point(q)[1]);
-          points.weight.push_back(width * width * quadrature.weight(q));
+          points.position.push_back(corner + width * quadrature.point(q));
+          points.weight.push_back(std::pow(width, dim) * quadrature.weight(q));
           points.number.push_back(std::size_t(node.cell) * quadrature.size() +
                                   q);
         }
@@ -51,39 +54,42 @@ namespace asperity
 
 
 
-    /** Tensor-product Legendre polynomials of the unit square, normalised. */
+    /** Tensor-product Legendre polynomials of the unit cell, normalised. */
+    template <int dim>
     std::vector<double>
-    legendre(const unsigned int degree, const dealii::Point<2> &point)
+    legendre(const unsigned int degree, const dealii::Point<dim> &point)
     {
-      std::vector<std::vector<double>> P(2);
-      for (unsigned int d = 0; d < 2; ++d)
+      std::vector<double> values(1, 1.);
+      std::vector<double> P(degree + 1);
+      for (unsigned int d = 0; d < dim; ++d)
         {
           const double t = 2. * point[d] - 1.;
-          P[d].assign(degree + 1, 1.);
+          P.assign(degree + 1, 1.);
           if (degree > 0)
-            P[d][1] = t;
+            P[1] = t;
           for (unsigned int k = 2; k <= degree; ++k)
-            P[d][k] =
-              ((2. * k - 1.) * t * P[d][k - 1] - (k - 1.) * P[d][k - 2]) / k;
+            P[k] = ((2. * k - 1.) * t * P[k - 1] - (k - 1.) * P[k - 2]) / k;
           for (unsigned int k = 0; k <= degree; ++k)
-            P[d][k] *= std::sqrt(2. * k + 1.);
+            P[k] *= std::sqrt(2. * k + 1.);
+          std::vector<double> products;
+          for (const double slow : P)
+            for (const double fast : values)
+              products.push_back(fast * slow);
+          values.swap(products);
         }
-      std::vector<double> values;
-      for (const double y : P[1])
-        for (const double x : P[0])
-          values.push_back(x * y);
       return values;
     }
 
 
 
     /** Weight of each source value in the fit at each target point. */
+    template <int dim>
     dealii::FullMatrix<double>
     fit_operator(const unsigned int degree,
-                 const Points      &sources,
-                 const Points      &targets)
+                 const Points<dim> &sources,
+                 const Points<dim> &targets)
     {
-      const unsigned int n   = (degree + 1) * (degree + 1);
+      const unsigned int n   = tensor_size<dim>(degree + 1);
       const unsigned int n_s = sources.position.size();
       const unsigned int n_t = targets.position.size();
 
@@ -116,10 +122,11 @@ namespace asperity
 
 
     /** Fits, limits and writes the values of one region. */
+    template <int dim>
     void
     transfer_region(const unsigned int         degree,
-                    const Points              &sources,
-                    const Points              &targets,
+                    const Points<dim>         &sources,
+                    const Points<dim>         &targets,
                     const std::vector<double> &old_values,
                     const unsigned int         n_components,
                     std::vector<double>       &new_values)
@@ -162,13 +169,14 @@ namespace asperity
 
 
 
+  template <int dim>
   std::vector<double>
-  transfer_history(const SplineHierarchy       &from,
-                   const SplineHierarchy       &to,
-                   const dealii::Quadrature<2> &quadrature,
-                   const std::vector<double>   &values,
-                   const unsigned int           n_components,
-                   const unsigned int           fit_degree)
+  transfer_history(const SplineHierarchy<dim>    &from,
+                   const SplineHierarchy<dim>    &to,
+                   const dealii::Quadrature<dim> &quadrature,
+                   const std::vector<double>     &values,
+                   const unsigned int             n_components,
+                   const unsigned int             fit_degree)
   {
     const std::size_t block = std::size_t(quadrature.size()) * n_components;
     AssertThrow(values.size() == from.n_cells() * block,
@@ -176,18 +184,18 @@ namespace asperity
                                              from.n_cells() * block));
     unsigned int degree = 0;
     while (degree < fit_degree &&
-           (degree + 2) * (degree + 2) <= quadrature.size())
+           tensor_size<dim>(degree + 2) <= quadrature.size())
       ++degree;
 
     std::vector<double> result(to.n_cells() * block);
     for (unsigned int cell = 0; cell < to.n_cells(); ++cell)
       {
-        const CellIndex   &index = to.cell_index(cell);
-        const unsigned int node  = from.find_node(index);
-        const int          old   = from.nodes()[node].cell;
+        const CellIndex<dim> &index = to.cell_index(cell);
+        const unsigned int    node  = from.find_node(index);
+        const int             old   = from.nodes()[node].cell;
         if (old < 0) // coarsened: the region is the new cell
           {
-            Points sources, targets;
+            Points<dim> sources, targets;
             collect(from, index, node, quadrature, sources);
             collect(to, index, to.find_node(index), quadrature, targets);
             transfer_region(
@@ -200,11 +208,11 @@ namespace asperity
       }
     for (unsigned int cell = 0; cell < from.n_cells(); ++cell)
       {
-        const CellIndex   &index = from.cell_index(cell);
-        const unsigned int node  = to.find_node(index);
+        const CellIndex<dim> &index = from.cell_index(cell);
+        const unsigned int    node  = to.find_node(index);
         if (to.nodes()[node].cell < 0) // refined: the region is the old cell
           {
-            Points sources, targets;
+            Points<dim> sources, targets;
             collect(from, index, from.find_node(index), quadrature, sources);
             collect(to, index, node, quadrature, targets);
             transfer_region(
@@ -213,4 +221,21 @@ namespace asperity
       }
     return result;
   }
+
+
+
+  template std::vector<double>
+  transfer_history(const SplineHierarchy<2> &,
+                   const SplineHierarchy<2> &,
+                   const dealii::Quadrature<2> &,
+                   const std::vector<double> &,
+                   const unsigned int,
+                   const unsigned int);
+  template std::vector<double>
+  transfer_history(const SplineHierarchy<3> &,
+                   const SplineHierarchy<3> &,
+                   const dealii::Quadrature<3> &,
+                   const std::vector<double> &,
+                   const unsigned int,
+                   const unsigned int);
 } // namespace asperity

@@ -10,39 +10,29 @@
 
 namespace asperity
 {
+  template <int dim>
   std::vector<unsigned int>
   edge_bernstein(const unsigned int degree, const Edge edge)
   {
-    const unsigned int        n = degree + 1;
-    std::vector<unsigned int> result(n);
-    for (unsigned int k = 0; k < n; ++k)
-      switch (edge)
-        {
-          case Edge::left:
-            result[k] = k * n;
-            break;
-          case Edge::right:
-            result[k] = k * n + degree;
-            break;
-          case Edge::bottom:
-            result[k] = k;
-            break;
-          case Edge::top:
-            result[k] = degree * n + k;
-            break;
-        }
+    const unsigned int        n     = degree + 1;
+    const unsigned int        fixed = is_at_end(edge) ? degree : 0;
+    std::vector<unsigned int> result;
+    for (unsigned int b = 0; b < tensor_size<dim>(n); ++b)
+      if (tensor_index<dim>(b, n)[normal_direction<dim>(edge)] == fixed)
+        result.push_back(b);
     return result;
   }
 
 
 
+  template <int dim>
   std::vector<unsigned int>
-  trace_rows(const SplineHierarchy &hierarchy,
-             const unsigned int     cell,
-             const Edge             edge)
+  trace_rows(const SplineHierarchy<dim> &hierarchy,
+             const unsigned int          cell,
+             const Edge                  edge)
   {
     const auto &extraction = hierarchy.cell_extraction(cell);
-    const auto  on_edge    = edge_bernstein(hierarchy.degree(), edge);
+    const auto  on_edge    = edge_bernstein<dim>(hierarchy.degree(), edge);
     std::vector<unsigned int> rows;
     for (unsigned int a = 0; a < extraction.m(); ++a)
       if (std::any_of(on_edge.begin(),
@@ -56,22 +46,27 @@ namespace asperity
 
 
 
+  template <int dim>
   std::vector<unsigned int>
-  edge_cells(const SplineHierarchy &hierarchy, const Edge edge)
+  edge_cells(const SplineHierarchy<dim> &hierarchy, const Edge edge)
   {
-    const unsigned int normal =
-      (edge == Edge::left || edge == Edge::right) ? 0 : 1;
-    const bool at_end = edge == Edge::right || edge == Edge::top;
+    const unsigned int normal = normal_direction<dim>(edge);
+    const auto         along  = directions_along<dim>(edge);
 
-    std::vector<std::pair<double, unsigned int>> found;
+    // Sorted by the corner, the last direction first.
+    std::vector<std::pair<std::array<double, dim - 1>, unsigned int>> found;
     for (unsigned int cell = 0; cell < hierarchy.n_cells(); ++cell)
       {
-        const CellIndex   &index = hierarchy.cell_index(cell);
-        const unsigned int span  = normal == 0 ? index.i : index.j;
-        const unsigned int last =
+        const CellIndex<dim> &index = hierarchy.cell_index(cell);
+        const unsigned int    last =
           hierarchy.knots(index.level, normal).n_spans() - 1;
-        if (span == (at_end ? last : 0))
-          found.emplace_back(hierarchy.cell_box(cell).first[1 - normal], cell);
+        if (index.spans[normal] != (is_at_end(edge) ? last : 0))
+          continue;
+        const auto                  corner = hierarchy.cell_box(cell).first;
+        std::array<double, dim - 1> key;
+        for (unsigned int k = 0; k < dim - 1; ++k)
+          key[dim - 2 - k] = corner[along[k]];
+        found.emplace_back(key, cell);
       }
     std::sort(found.begin(), found.end());
     std::vector<unsigned int> cells;
@@ -82,12 +77,15 @@ namespace asperity
 
 
 
+  template <int dim>
   std::vector<Edge>
-  boundary_edges(const SplineHierarchy &hierarchy)
+  boundary_edges(const SplineHierarchy<dim> &hierarchy)
   {
-    if (hierarchy.periodic_x())
-      return {Edge::bottom, Edge::top};
-    return {Edge::left, Edge::right, Edge::bottom, Edge::top};
+    std::vector<Edge> edges;
+    for (const Edge edge : all_edges<dim>())
+      if (!hierarchy.is_periodic(normal_direction<dim>(edge)))
+        edges.push_back(edge);
+    return edges;
   }
 
 
@@ -113,61 +111,99 @@ namespace asperity
 
   namespace
   {
-    /** Calls add(global i, global j, value) for the products of functions. */
-    template <typename Add>
-    void
-    assemble(const SplineHierarchy &hierarchy,
-             const double           edge_weight,
-             const Add             &add)
+    /** Products over the unit edge of the Bernstein polynomials that do not
+     *  vanish there, in the order of edge_bernstein(). */
+    template <int dim>
+    dealii::FullMatrix<double>
+    edge_gramian(const dealii::FullMatrix<double> &gramian)
     {
-      const auto gramian = bernstein_gramian(hierarchy.degree());
-      dealii::FullMatrix<double> product;
-      for (unsigned int cell = 0; cell < hierarchy.n_cells(); ++cell)
+      const unsigned int         n   = gramian.m();
+      const unsigned int         n_b = tensor_size<dim - 1>(n);
+      dealii::FullMatrix<double> result(n_b, n_b);
+      for (unsigned int k = 0; k < n_b; ++k)
+        for (unsigned int l = 0; l < n_b; ++l)
+          {
+            const auto k_index = tensor_index<dim - 1>(k, n);
+            const auto l_index = tensor_index<dim - 1>(l, n);
+            result(k, l)       = 1.;
+            for (unsigned int d = 0; d < dim - 1; ++d)
+              result(k, l) *= gramian(k_index[d], l_index[d]);
+          }
+      return result;
+    }
+
+
+
+    /** Calls add(global i, global j, value) for the products over one edge,
+     *  times the cells' widths normal to it. */
+    template <int dim, typename Add>
+    void
+    assemble_edge(const SplineHierarchy<dim>       &hierarchy,
+                  const Edge                        edge,
+                  const dealii::FullMatrix<double> &gramian,
+                  const double                      edge_weight,
+                  const Add                        &add)
+    {
+      const auto on_edge = edge_bernstein<dim>(hierarchy.degree(), edge);
+      for (const unsigned int cell : edge_cells(hierarchy, edge))
         {
           const auto &functions  = hierarchy.cell_functions(cell);
           const auto &extraction = hierarchy.cell_extraction(cell);
+          // The measure of the face times the width normal to it.
           const auto [low, high] = hierarchy.cell_box(cell);
-          const double area      = (high[0] - low[0]) * (high[1] - low[1]);
-          const auto weighted = tensor_transform(extraction, gramian, gramian);
+          double weight          = edge_weight;
+          for (unsigned int d = 0; d < dim; ++d)
+            weight *= high[d] - low[d];
+          const auto rows = trace_rows(hierarchy, cell, edge);
+          for (const unsigned int a : rows)
+            for (const unsigned int b : rows)
+              {
+                double sum = 0.;
+                for (unsigned int k = 0; k < on_edge.size(); ++k)
+                  for (unsigned int l = 0; l < on_edge.size(); ++l)
+                    sum += extraction(a, on_edge[k]) * gramian(k, l) *
+                           extraction(b, on_edge[l]);
+                add(functions[a], functions[b], weight * sum);
+              }
+        }
+    }
+
+
+
+    /** Calls add(global i, global j, value) for the products of functions. */
+    template <int dim, typename Add>
+    void
+    assemble(const SplineHierarchy<dim> &hierarchy,
+             const double                edge_weight,
+             const Add                  &add)
+    {
+      const auto gramian  = bernstein_gramian(hierarchy.degree());
+      const auto gramians = in_all_directions<dim>(gramian);
+      dealii::FullMatrix<double> product;
+      for (unsigned int cell = 0; cell < hierarchy.n_cells(); ++cell)
+        {
+          const auto  &functions  = hierarchy.cell_functions(cell);
+          const auto  &extraction = hierarchy.cell_extraction(cell);
+          const double volume     = measure(hierarchy.cell_box(cell));
+          const auto   weighted   = tensor_transform<dim>(extraction, gramians);
           product.reinit(functions.size(), functions.size());
           weighted.mTmult(product, extraction);
           for (unsigned int a = 0; a < functions.size(); ++a)
             for (unsigned int b = 0; b < functions.size(); ++b)
-              add(functions[a], functions[b], area * product(a, b));
+              add(functions[a], functions[b], volume * product(a, b));
         }
-      if (edge_weight == 0.)
-        return;
-      for (const Edge edge : boundary_edges(hierarchy))
-        {
-          const auto on_edge = edge_bernstein(hierarchy.degree(), edge);
-          for (const unsigned int cell : edge_cells(hierarchy, edge))
-            {
-              const auto &functions  = hierarchy.cell_functions(cell);
-              const auto &extraction = hierarchy.cell_extraction(cell);
-              const auto [low, high] = hierarchy.cell_box(cell);
-              // The length of the face times the width normal to it.
-              const double weight =
-                edge_weight * (high[0] - low[0]) * (high[1] - low[1]);
-              const auto rows = trace_rows(hierarchy, cell, edge);
-              for (const unsigned int a : rows)
-                for (const unsigned int b : rows)
-                  {
-                    double sum = 0.;
-                    for (unsigned int k = 0; k < on_edge.size(); ++k)
-                      for (unsigned int l = 0; l < on_edge.size(); ++l)
-                        sum += extraction(a, on_edge[k]) * gramian(k, l) *
-                               extraction(b, on_edge[l]);
-                    add(functions[a], functions[b], weight * sum);
-                  }
-            }
-        }
+      if (edge_weight != 0.)
+        for (const Edge edge : boundary_edges(hierarchy))
+          assemble_edge(
+            hierarchy, edge, edge_gramian<dim>(gramian), edge_weight, add);
     }
   } // namespace
 
 
 
-  L2Projection::L2Projection(const SplineHierarchy &hierarchy,
-                             const double           edge_weight)
+  template <int dim>
+  L2Projection<dim>::L2Projection(const SplineHierarchy<dim> &hierarchy,
+                                  const double                edge_weight)
   {
     dealii::DynamicSparsityPattern pattern(hierarchy.n_functions());
     for (unsigned int cell = 0; cell < hierarchy.n_cells(); ++cell)
@@ -187,8 +223,9 @@ namespace asperity
 
 
 
+  template <int dim>
   dealii::FullMatrix<double>
-  L2Projection::gramian(const SplineHierarchy &hierarchy)
+  L2Projection<dim>::gramian(const SplineHierarchy<dim> &hierarchy)
   {
     dealii::FullMatrix<double> matrix(hierarchy.n_functions(),
                                       hierarchy.n_functions());
@@ -202,9 +239,31 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  L2Projection::solve(dealii::Vector<double> &right_hand_side) const
+  L2Projection<dim>::solve(dealii::Vector<double> &right_hand_side) const
   {
     factorization.solve(right_hand_side);
   }
+
+
+
+  template std::vector<unsigned int>
+  edge_bernstein<2>(const unsigned int, const Edge);
+  template std::vector<unsigned int>
+  trace_rows(const SplineHierarchy<2> &, const unsigned int, const Edge);
+  template std::vector<unsigned int>
+  edge_cells(const SplineHierarchy<2> &, const Edge);
+  template std::vector<Edge>
+  boundary_edges(const SplineHierarchy<2> &);
+  template class L2Projection<2>;
+  template std::vector<unsigned int>
+  edge_bernstein<3>(const unsigned int, const Edge);
+  template std::vector<unsigned int>
+  trace_rows(const SplineHierarchy<3> &, const unsigned int, const Edge);
+  template std::vector<unsigned int>
+  edge_cells(const SplineHierarchy<3> &, const Edge);
+  template std::vector<Edge>
+  boundary_edges(const SplineHierarchy<3> &);
+  template class L2Projection<3>;
 } // namespace asperity

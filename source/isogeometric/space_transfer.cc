@@ -4,7 +4,6 @@
 
 #include <deal.II/base/exceptions.h>
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -48,30 +47,59 @@ namespace asperity
 
 
 
+    /** restriction() in the directions of a cell, from its ancestor. */
+    template <int dim>
+    std::array<Matrix, dim>
+    restrictions(const unsigned int    degree,
+                 const unsigned int    levels,
+                 const CellIndex<dim> &cell)
+    {
+      std::array<Matrix, dim> result;
+      for (unsigned int d = 0; d < dim; ++d)
+        result[d] = restriction(degree, levels, cell.spans[d]);
+      return result;
+    }
+
+
+
+    template <int dim>
+    DirectionMatrices<dim>
+    pointers(const std::array<Matrix, dim> &matrices)
+    {
+      DirectionMatrices<dim> result;
+      for (unsigned int d = 0; d < dim; ++d)
+        result[d] = &matrices[d];
+      return result;
+    }
+
+
+
     /** Bernstein coefficients of a cell's functions on a part of the cell. */
+    template <int dim>
     Matrix
-    restricted_extraction(const SplineHierarchy &hierarchy,
-                          const unsigned int     cell,
-                          const CellIndex       &part)
+    restricted_extraction(const SplineHierarchy<dim> &hierarchy,
+                          const unsigned int          cell,
+                          const CellIndex<dim>       &part)
     {
       const unsigned int levels = part.level - hierarchy.cell_index(cell).level;
       if (levels == 0)
         return hierarchy.cell_extraction(cell);
-      const unsigned int p = hierarchy.degree();
-      return tensor_transform(hierarchy.cell_extraction(cell),
-                              restriction(p, levels, part.i),
-                              restriction(p, levels, part.j));
+      return tensor_transform<dim>(
+        hierarchy.cell_extraction(cell),
+        pointers<dim>(restrictions(hierarchy.degree(), levels, part)));
     }
   } // namespace
 
 
 
+  template <int dim>
   bool
-  is_refinement(const SplineHierarchy &coarse, const SplineHierarchy &fine)
+  is_refinement(const SplineHierarchy<dim> &coarse,
+                const SplineHierarchy<dim> &fine)
   {
     for (unsigned int cell = 0; cell < coarse.n_cells(); ++cell)
       {
-        const CellIndex &index = coarse.cell_index(cell);
+        const CellIndex<dim> &index = coarse.cell_index(cell);
         if (fine.nodes()[fine.find_node(index)].index.level < index.level)
           return false;
       }
@@ -80,8 +108,9 @@ namespace asperity
 
 
 
-  SpaceTransfer::SpaceTransfer(const SplineHierarchy &from,
-                               const SplineHierarchy &to)
+  template <int dim>
+  SpaceTransfer<dim>::SpaceTransfer(const SplineHierarchy<dim> &from,
+                                    const SplineHierarchy<dim> &to)
     : exact(is_refinement(from, to))
     , n_old_functions(from.n_functions())
     , n_new_functions(to.n_functions())
@@ -94,53 +123,67 @@ namespace asperity
 
 
 
-  SpaceTransfer::~SpaceTransfer() = default;
+  template <int dim>
+  SpaceTransfer<dim>::~SpaceTransfer() = default;
 
 
 
+  template <int dim>
   bool
-  SpaceTransfer::is_exact() const
+  SpaceTransfer<dim>::is_exact() const
   {
     return exact;
   }
 
 
 
+  template <int dim>
   void
-  SpaceTransfer::build_exact(const SplineHierarchy &from,
-                             const SplineHierarchy &to)
+  SpaceTransfer<dim>::build_exact(const SplineHierarchy<dim> &from,
+                                  const SplineHierarchy<dim> &to)
   {
-    const unsigned int n = to.degree() + 1;
+    const unsigned int n   = to.degree() + 1;
+    const unsigned int n_b = tensor_size<dim>(n);
     weights.resize(n_new_functions);
     for (unsigned int f = 0; f < n_new_functions; ++f)
       {
         // The coefficient is row (weights of Bernstein coefficients on the
         // home) times the Bernstein coefficients of the old spline there.
-        const auto [home, place]  = to.function_home(f);
-        const CellIndex    &index = to.cell_index(home);
-        std::vector<Matrix> inverse(2, Matrix(n, n));
-        inverse[0].invert(to.span_extraction(index.level, 0, index.i));
-        inverse[1].invert(to.span_extraction(index.level, 1, index.j));
-        Matrix row(1, n * n);
-        for (unsigned int b_y = 0; b_y < n; ++b_y)
-          for (unsigned int b_x = 0; b_x < n; ++b_x)
-            row(0, b_y * n + b_x) =
-              inverse[0](b_x, place % n) * inverse[1](b_y, place / n);
+        const auto [home, place]       = to.function_home(f);
+        const CellIndex<dim>   &index  = to.cell_index(home);
+        const auto              digits = tensor_index<dim>(place, n);
+        std::array<Matrix, dim> inverse;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            inverse[d].reinit(n, n);
+            inverse[d].invert(
+              to.span_extraction(index.level, d, index.spans[d]));
+          }
+        Matrix row(1, n_b);
+        for (unsigned int b = 0; b < n_b; ++b)
+          {
+            const auto b_digits = tensor_index<dim>(b, n);
+            row(0, b)           = 1.;
+            for (unsigned int d = 0; d < dim; ++d)
+              row(0, b) *= inverse[d](b_digits[d], digits[d]);
+          }
 
         const auto        &old_node = from.nodes()[from.find_node(index)];
         const unsigned int levels   = index.level - old_node.index.level;
         if (levels > 0)
-          row = tensor_transform(
-            row,
-            transposed(restriction(to.degree(), levels, index.i)),
-            transposed(restriction(to.degree(), levels, index.j)));
+          {
+            auto restricted = restrictions(to.degree(), levels, index);
+            for (Matrix &matrix : restricted)
+              matrix = transposed(matrix);
+            row = tensor_transform<dim>(row, pointers<dim>(restricted));
+          }
 
         const auto &functions  = from.cell_functions(old_node.cell);
         const auto &extraction = from.cell_extraction(old_node.cell);
         for (unsigned int a = 0; a < functions.size(); ++a)
           {
             double weight = 0.;
-            for (unsigned int b = 0; b < n * n; ++b)
+            for (unsigned int b = 0; b < n_b; ++b)
               weight += extraction(a, b) * row(0, b);
             if (std::abs(weight) > zero_weight)
               weights[f].emplace_back(functions[a], weight);
@@ -150,32 +193,33 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  SpaceTransfer::build_projection(const SplineHierarchy &from,
-                                  const SplineHierarchy &to)
+  SpaceTransfer<dim>::build_projection(const SplineHierarchy<dim> &from,
+                                       const SplineHierarchy<dim> &to)
   {
-    const auto gramian = bernstein_gramian(to.degree());
+    const Matrix gramian  = bernstein_gramian(to.degree());
+    const auto   gramians = in_all_directions<dim>(gramian);
     // One cell of the common refinement: part of a new and of an old cell.
-    const auto add = [&](const unsigned int new_cell,
-                         const unsigned int old_cell,
-                         const CellIndex   &part) {
+    const auto add = [&](const unsigned int    new_cell,
+                         const unsigned int    old_cell,
+                         const CellIndex<dim> &part) {
       Products product;
       product.rows          = to.cell_functions(new_cell);
       product.columns       = from.cell_functions(old_cell);
       const Matrix test     = restricted_extraction(to, new_cell, part);
       const Matrix trial    = restricted_extraction(from, old_cell, part);
-      const Matrix weighted = tensor_transform(test, gramian, gramian);
+      const Matrix weighted = tensor_transform<dim>(test, gramians);
       product.values.reinit(product.rows.size(), product.columns.size());
       weighted.mTmult(product.values, trial);
-      const auto [low, high] = part.level == to.cell_index(new_cell).level ?
-                                 to.cell_box(new_cell) :
-                                 from.cell_box(old_cell);
-      product.values *= (high[0] - low[0]) * (high[1] - low[1]);
+      product.values *= measure(part.level == to.cell_index(new_cell).level ?
+                                  to.cell_box(new_cell) :
+                                  from.cell_box(old_cell));
       products.push_back(std::move(product));
     };
     for (unsigned int cell = 0; cell < to.n_cells(); ++cell)
       {
-        const CellIndex                  &index = to.cell_index(cell);
+        const CellIndex<dim>             &index = to.cell_index(cell);
         std::function<void(unsigned int)> visit = [&](const unsigned int n) {
           const auto &node = from.nodes()[n];
           if (node.cell >= 0)
@@ -188,14 +232,15 @@ namespace asperity
         };
         visit(from.find_node(index));
       }
-    projection = std::make_unique<L2Projection>(to);
+    projection = std::make_unique<L2Projection<dim>>(to);
   }
 
 
 
+  template <int dim>
   std::vector<double>
-  SpaceTransfer::apply(const std::vector<double> &coefficients,
-                       const unsigned int         n_components) const
+  SpaceTransfer<dim>::apply(const std::vector<double> &coefficients,
+                            const unsigned int         n_components) const
   {
     AssertThrow(coefficients.size() == n_components * n_old_functions,
                 dealii::ExcDimensionMismatch(coefficients.size(),
@@ -231,20 +276,30 @@ namespace asperity
 
 
 
-  PatchGeometry
-  SpaceTransfer::apply(const PatchGeometry &geometry) const
+  template <int dim>
+  PatchGeometry<dim>
+  SpaceTransfer<dim>::apply(const PatchGeometry<dim> &geometry) const
   {
-    PatchGeometry result;
+    PatchGeometry<dim> result;
     if (geometry.offset.empty())
       return result;
     std::vector<double> coefficients;
     for (const auto &D : geometry.offset)
-      coefficients.insert(coefficients.end(), {D[0], D[1]});
-    coefficients = apply(coefficients, 2);
+      coefficients.insert(coefficients.end(), D.begin_raw(), D.end_raw());
+    coefficients = apply(coefficients, dim);
     result.offset.resize(n_new_functions);
     for (unsigned int a = 0; a < n_new_functions; ++a)
-      for (unsigned int d = 0; d < 2; ++d)
-        result.offset[a][d] = coefficients[2 * a + d];
+      for (unsigned int d = 0; d < dim; ++d)
+        result.offset[a][d] = coefficients[dim * a + d];
     return result;
   }
+
+
+
+  template bool
+  is_refinement(const SplineHierarchy<2> &, const SplineHierarchy<2> &);
+  template class SpaceTransfer<2>;
+  template bool
+  is_refinement(const SplineHierarchy<3> &, const SplineHierarchy<3> &);
+  template class SpaceTransfer<3>;
 } // namespace asperity

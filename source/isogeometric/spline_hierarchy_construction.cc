@@ -17,14 +17,27 @@ namespace asperity
     // Coefficients of B-splines are of size one; what is smaller than this is
     // rounding and would only widen the sparsity pattern.
     constexpr double zero_coefficient = 1e-14;
+
+    /** The matrices of a cell's spans, of [direction][span]. */
+    template <int dim>
+    DirectionMatrices<dim>
+    at(const std::array<std::vector<dealii::FullMatrix<double>>, dim> &matrices,
+       const CellIndex<dim>                                           &index)
+    {
+      DirectionMatrices<dim> result;
+      for (unsigned int d = 0; d < dim; ++d)
+        result[d] = &matrices[d][index.spans[d]];
+      return result;
+    }
   } // namespace
 
 
 
-  SplineHierarchy::Level::Level(const std::array<KnotVector, 2> &knots)
+  template <int dim>
+  SplineHierarchy<dim>::Level::Level(const std::array<KnotVector, dim> &knots)
     : knots(knots)
   {
-    for (unsigned int d = 0; d < 2; ++d)
+    for (unsigned int d = 0; d < dim; ++d)
       {
         extraction[d] = bezier_extraction(knots[d]);
         support[d].resize(knots[d].n_basis(), 0);
@@ -39,74 +52,77 @@ namespace asperity
 
 
 
-  SplineHierarchy::SplineHierarchy(const KnotVector             &knots_x,
-                                   const KnotVector             &knots_y,
-                                   const std::vector<CellIndex> &cell_indices)
+  template <int dim>
+  SplineHierarchy<dim>::SplineHierarchy(
+    const std::array<KnotVector, dim> &knots,
+    const std::vector<CellIndex<dim>> &cell_indices)
   {
     cells.resize(cell_indices.size());
     for (unsigned int c = 0; c < cells.size(); ++c)
       cells[c].index = cell_indices[c];
-    build_levels(knots_x, knots_y);
+    build_levels(knots);
     build_tree();
     select_functions();
-    const unsigned int n_roots = knots_x.n_spans() * knots_y.n_spans();
-    for (unsigned int root = 0; root < n_roots; ++root)
-      extract(tree[root], {}, dealii::FullMatrix<double>());
+    for (const Node &node : tree)
+      if (node.index.level == 0)
+        extract(node, {}, dealii::FullMatrix<double>());
     find_homes();
   }
 
 
 
+  template <int dim>
   void
-  SplineHierarchy::build_levels(const KnotVector &knots_x,
-                                const KnotVector &knots_y)
+  SplineHierarchy<dim>::build_levels(const std::array<KnotVector, dim> &knots)
   {
     unsigned int finest = 0;
     for (const Cell &cell : cells)
       finest = std::max(finest, cell.index.level);
-    levels.emplace_back(std::array<KnotVector, 2>{{knots_x, knots_y}});
+    levels.emplace_back(knots);
     for (unsigned int l = 1; l <= finest; ++l)
       {
-        const std::array<KnotVector, 2> coarse = levels.back().knots;
-        levels.emplace_back(std::array<KnotVector, 2>{
-          {coarse[0].dyadic_refinement(), coarse[1].dyadic_refinement()}});
-        for (unsigned int d = 0; d < 2; ++d)
-          levels[l].two_scale[d] =
-            two_scale_relation(coarse[d], levels[l].knots[d]);
+        const std::array<KnotVector, dim> coarse = levels.back().knots;
+        std::array<KnotVector, dim>       fine;
+        for (unsigned int d = 0; d < dim; ++d)
+          fine[d] = coarse[d].dyadic_refinement();
+        levels.emplace_back(fine);
+        for (unsigned int d = 0; d < dim; ++d)
+          levels[l].two_scale[d] = two_scale_relation(coarse[d], fine[d]);
       }
   }
 
 
 
+  template <int dim>
   void
-  SplineHierarchy::build_tree()
+  SplineHierarchy<dim>::build_tree()
   {
-    const unsigned int n_x = levels[0].knots[0].n_spans();
-    const unsigned int n_y = levels[0].knots[1].n_spans();
-    for (unsigned int j = 0; j < n_y; ++j)
-      for (unsigned int i = 0; i < n_x; ++i)
-        {
-          Node root;
-          root.index = {0, i, j};
-          tree.push_back(root);
-        }
+    unsigned int n_roots = 1;
+    for (const KnotVector &knots : levels[0].knots)
+      n_roots *= knots.n_spans();
+    for (unsigned int r = 0; r < n_roots; ++r)
+      {
+        CellIndex<dim> index;
+        unsigned int   rest = r;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            index.spans[d] = rest % levels[0].knots[d].n_spans();
+            rest /= levels[0].knots[d].n_spans();
+          }
+        tree.emplace_back(index, -1);
+      }
     for (unsigned int c = 0; c < cells.size(); ++c)
       {
-        const CellIndex index = cells[c].index;
-        unsigned int    node =
-          (index.j >> index.level) * n_x + (index.i >> index.level);
+        const CellIndex<dim> &index = cells[c].index;
+        unsigned int          node  = root(index.ancestor(index.level));
         for (unsigned int l = 1; l <= index.level; ++l)
           {
-            const unsigned int shift = index.level - l;
-            const CellIndex    child = {l, index.i >> shift, index.j >> shift};
-            const unsigned int place = 2 * (child.j % 2) + child.i % 2;
+            const CellIndex<dim> child = index.ancestor(index.level - l);
+            const unsigned int   place = child.child_number();
             if (tree[node].children[place] < 0)
               {
                 tree[node].children[place] = tree.size();
-                Node next;
-                next.index  = child;
-                next.parent = node;
-                tree.push_back(next);
+                tree.emplace_back(child, node);
               }
             node = tree[node].children[place];
           }
@@ -116,22 +132,44 @@ namespace asperity
 
 
 
+  template <int dim>
   std::vector<std::uint64_t>
-  SplineHierarchy::bsplines_of(const CellIndex &index) const
+  SplineHierarchy<dim>::bsplines_of(const CellIndex<dim> &index) const
   {
     const Level               &level = levels[index.level];
-    const std::uint64_t        n_x   = level.knots[0].n_basis();
-    std::vector<std::uint64_t> result;
-    for (const unsigned int f_y : level.functions[1][index.j])
-      for (const unsigned int f_x : level.functions[0][index.i])
-        result.push_back(f_y * n_x + f_x);
+    std::vector<std::uint64_t> result(1, 0);
+    for (unsigned int d = dim; d-- > 0;)
+      {
+        std::vector<std::uint64_t> next;
+        for (const std::uint64_t slower : result)
+          for (const unsigned int f : level.functions[d][index.spans[d]])
+            next.push_back(slower * level.knots[d].n_basis() + f);
+        result.swap(next);
+      }
     return result;
   }
 
 
 
+  template <int dim>
+  unsigned int
+  SplineHierarchy<dim>::support_of(const Level  &level,
+                                   std::uint64_t bspline) const
+  {
+    unsigned int n_cells = 1;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        n_cells *= level.support[d][bspline % level.knots[d].n_basis()];
+        bspline /= level.knots[d].n_basis();
+      }
+    return n_cells;
+  }
+
+
+
+  template <int dim>
   void
-  SplineHierarchy::select_functions()
+  SplineHierarchy<dim>::select_functions()
   {
     // A support lies inside Omega^l if all its cells of level l exist; it is
     // not inside Omega^(l+1) if one of them is active.
@@ -151,11 +189,9 @@ namespace asperity
     for (unsigned int l = 0; l < levels.size(); ++l)
       {
         Level                     &level = levels[l];
-        const std::uint64_t        n_x   = level.knots[0].n_basis();
         std::vector<std::uint64_t> active;
         for (const auto &[bspline, count] : counts[l])
-          if (count.n_cells ==
-              level.support[0][bspline % n_x] * level.support[1][bspline / n_x])
+          if (count.n_cells == support_of(level, bspline))
             {
               level.inside[bspline] = inactive;
               if (count.active_cell)
@@ -169,10 +205,12 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  SplineHierarchy::extract(const Node                       &node,
-                           const std::vector<unsigned int>  &coarse_functions,
-                           const dealii::FullMatrix<double> &coarse_operators)
+  SplineHierarchy<dim>::extract(
+    const Node                       &node,
+    const std::vector<unsigned int>  &coarse_functions,
+    const dealii::FullMatrix<double> &coarse_operators)
   {
     const Level                     &level    = levels[node.index.level];
     const std::vector<std::uint64_t> bsplines = bsplines_of(node.index);
@@ -180,9 +218,8 @@ namespace asperity
 
     dealii::FullMatrix<double> refined;
     if (coarse_functions.size() > 0)
-      refined = tensor_transform(coarse_operators,
-                                 level.two_scale[0][node.index.i],
-                                 level.two_scale[1][node.index.j]);
+      refined = tensor_transform<dim>(coarse_operators,
+                                      at<dim>(level.two_scale, node.index));
 
     std::vector<unsigned int>        functions;
     std::vector<std::vector<double>> rows;
@@ -225,44 +262,44 @@ namespace asperity
       {
         cells[node.cell].functions = functions;
         cells[node.cell].extraction =
-          tensor_transform(operators,
-                           level.extraction[0][node.index.i],
-                           level.extraction[1][node.index.j]);
+          tensor_transform<dim>(operators,
+                                at<dim>(level.extraction, node.index));
       }
   }
 
 
 
+  template <int dim>
   void
-  SplineHierarchy::find_homes()
+  SplineHierarchy<dim>::find_homes()
   {
     homes.assign(n_functions(), {inactive, inactive});
     std::vector<double> share(n_functions(), -1.);
     for (unsigned int c = 0; c < n_cells(); ++c)
       {
-        const CellIndex                 &index    = cells[c].index;
+        const CellIndex<dim>            &index    = cells[c].index;
         const std::vector<std::uint64_t> bsplines = bsplines_of(index);
-        const auto                      &inside   = levels[index.level].inside;
-        const auto                       box      = cell_box(c);
-        const double                     area =
-          (box.second[0] - box.first[0]) * (box.second[1] - box.first[1]);
-        const auto &extraction_x = span_extraction(index.level, 0, index.i);
-        const auto &extraction_y = span_extraction(index.level, 1, index.j);
-        const unsigned int n     = degree() + 1;
+        const Level                     &level    = levels[index.level];
+        const double                     volume   = measure(cell_box(c));
+        const auto         extraction = at<dim>(level.extraction, index);
+        const unsigned int n          = degree() + 1;
         for (unsigned int b = 0; b < bsplines.size(); ++b)
           {
-            const auto it = inside.find(bsplines[b]);
-            if (it == inside.end() || it->second == inactive)
+            const auto it = level.inside.find(bsplines[b]);
+            if (it == level.inside.end() || it->second == inactive)
               continue;
             // The integral of a polynomial is the mean of its coefficients.
-            double sum_x = 0, sum_y = 0;
-            for (unsigned int k = 0; k < n; ++k)
+            const auto place    = tensor_index<dim>(b, n);
+            double     integral = 1.;
+            for (unsigned int d = 0; d < dim; ++d)
               {
-                sum_x += extraction_x(b % n, k);
-                sum_y += extraction_y(b / n, k);
+                double sum = 0.;
+                for (unsigned int k = 0; k < n; ++k)
+                  sum += (*extraction[d])(place[d], k);
+                integral *= sum;
               }
+            integral *= volume;
             // The margin makes equal shares choose the first cell.
-            const double integral = sum_x * sum_y * area;
             if (integral > share[it->second] * (1. + 1e-10))
               {
                 share[it->second] = integral;
@@ -271,4 +308,13 @@ namespace asperity
           }
       }
   }
+
+
+
+  template SplineHierarchy<2>::SplineHierarchy(
+    const std::array<KnotVector, 2> &,
+    const std::vector<CellIndex<2>> &);
+  template SplineHierarchy<3>::SplineHierarchy(
+    const std::array<KnotVector, 3> &,
+    const std::vector<CellIndex<3>> &);
 } // namespace asperity

@@ -34,11 +34,11 @@ namespace asperity
 
 
 
-  FilmEdge::FilmEdge(const SplineSpace   &space,
-                     const PatchGeometry &geometry,
-                     const SplineCurve   &tool,
-                     const FilmGap       &gap,
-                     const unsigned int   cells_per_span)
+  FilmEdge::FilmEdge(const SplineSpace<2>   &space,
+                     const PatchGeometry<2> &geometry,
+                     const SplineCurve      &tool,
+                     const FilmGap          &gap,
+                     const unsigned int      cells_per_span)
     : tool(tool)
     , film_gap(gap)
     , cells_per_span(cells_per_span)
@@ -54,7 +54,7 @@ namespace asperity
     , thickness_slope(x.size())
     , tool_slope(x.size())
   {
-    if (!space.periodic_x() || !tool.is_periodic())
+    if (!space.is_periodic(0) || !tool.is_periodic())
       throw InputError("A lubricant film needs a chip and a tool that are "
                        "periodic in x.");
     if (!(gap.residual > 0.))
@@ -79,7 +79,7 @@ namespace asperity
 
 
 
-  ElementView
+  ElementView<2>
   FilmEdge::element_of(const unsigned int cell) const
   {
     return {table, table.elements[cell / cells_per_span]};
@@ -110,10 +110,10 @@ namespace asperity
     for (const auto &entry : table.elements)
       for (unsigned int q = 0; q < table.points_per_element; ++q)
         {
-          const ElementView  element(table, entry);
-          const unsigned int i = element.point(q);
-          x[i]                 = table.position[i];
-          stretch[i]           = table.tangent[i];
+          const ElementView<2> element(table, entry);
+          const unsigned int   i = element.point(q);
+          x[i]                   = table.position[i];
+          stretch[i]             = table.tangent[i];
           element.add_displacement(q, u, x[i]);
           element.add_stretch(q, u, stretch[i]);
           const auto        seen = x[i] - tool_offset;
@@ -169,8 +169,8 @@ namespace asperity
   SparseGradient
   FilmEdge::volume_gradient(const unsigned int cell) const
   {
-    const ElementView element = element_of(cell);
-    SparseGradient    gradient;
+    const ElementView<2> element = element_of(cell);
+    SparseGradient       gradient;
     for (unsigned int a = 0; a < element.n_functions(); ++a)
       {
         double by_x = 0., by_y = 0.;
@@ -204,9 +204,9 @@ namespace asperity
   SparseGradient
   FilmEdge::position_gradient(const unsigned int face) const
   {
-    const ElementView  element = element_of(face);
-    const unsigned int q       = local_point(face, first_point(face));
-    SparseGradient     gradient;
+    const ElementView<2> element = element_of(face);
+    const unsigned int   q       = local_point(face, first_point(face));
+    SparseGradient       gradient;
     for (unsigned int a = 0; a < element.n_functions(); ++a)
       gradient.emplace_back(element.dof(a, 0), element.N(q, a));
     return gradient;
@@ -240,8 +240,8 @@ namespace asperity
   SparseGradient
   FilmEdge::area_vector(const unsigned int cell) const
   {
-    const ElementView element = element_of(cell);
-    SparseGradient    area;
+    const ElementView<2> element = element_of(cell);
+    SparseGradient       area;
     for (unsigned int a = 0; a < element.n_functions(); ++a)
       {
         Tensor<1, 2> sum;
@@ -265,7 +265,7 @@ namespace asperity
   FilmEdge::cell_dofs(const unsigned int cell) const
   {
     std::vector<unsigned int> dofs;
-    const ElementView         element = element_of(cell);
+    const ElementView<2>      element = element_of(cell);
     for (unsigned int a = 0; a < element.n_functions(); ++a)
       for (unsigned int c = 0; c < 2; ++c)
         dofs.push_back(element.dof(a, c));

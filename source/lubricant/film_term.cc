@@ -12,11 +12,11 @@ namespace asperity
   using Vector = dealii::Vector<double>;
   using Matrix = dealii::SparseMatrix<double>;
 
-  FilmTerm::FilmTerm(const SplineSpace     &space,
-                     const PatchGeometry   &geometry,
-                     const SplineCurve     &tool,
-                     const FilmTermOptions &options,
-                     const unsigned int     first_unknown)
+  FilmTerm::FilmTerm(const SplineSpace<2>   &space,
+                     const PatchGeometry<2> &geometry,
+                     const SplineCurve      &tool,
+                     const FilmTermOptions  &options,
+                     const unsigned int      first_unknown)
     : options(options)
     , first_unknown(first_unknown)
     , edge_(space, geometry, tool, options.gap, options.cells_per_span)

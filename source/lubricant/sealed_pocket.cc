@@ -16,8 +16,8 @@ namespace asperity
     constexpr unsigned int maximal_passes = 20;
   } // namespace
 
-  SealedPocket::SealedPocket(const SplineSpace         &space,
-                             const PatchGeometry       &geometry,
+  SealedPocket::SealedPocket(const SplineSpace<2>      &space,
+                             const PatchGeometry<2>    &geometry,
                              const SplineCurve         &tool,
                              const SealedPocketOptions &options)
     : options(options)

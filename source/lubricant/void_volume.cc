@@ -12,9 +12,9 @@ namespace asperity
   using dealii::Tensor;
   using Vector = dealii::Vector<double>;
 
-  VoidVolume::VoidVolume(const SplineSpace   &space,
-                         const PatchGeometry &geometry,
-                         const SplineCurve   &tool)
+  VoidVolume::VoidVolume(const SplineSpace<2>   &space,
+                         const PatchGeometry<2> &geometry,
+                         const SplineCurve      &tool)
     : tool(tool)
     , length(tool.period()[0])
     , n_dofs_(2 * space.n_functions())
@@ -111,15 +111,15 @@ namespace asperity
     for (const auto &entry : table.elements)
       for (unsigned int q = 0; q < table.points_per_element; ++q)
         {
-          const ElementView  element(table, entry);
-          const unsigned int i = element.point(q);
-          tangent[i]           = table.tangent[i];
+          const ElementView<2> element(table, entry);
+          const unsigned int   i = element.point(q);
+          tangent[i]             = table.tangent[i];
           element.add_displacement(q, u, point[i]);
           element.add_stretch(q, u, tangent[i]);
         }
     for (unsigned int e = 0; e < n_elements(); ++e)
       {
-        const ElementView element(ends, ends.elements[e]);
+        const ElementView<2> element(ends, ends.elements[e]);
         node[e] = ends.position[element.point(0)];
         element.add_displacement(0, u, node[e]);
       }
@@ -209,8 +209,8 @@ namespace asperity
   {
     for (unsigned int k = 0; k < s.n; ++k)
       {
-        const ElementView  element(table,
-                                  table.elements[(s.first + k) % n_elements()]);
+        const ElementView<2> element(
+          table, table.elements[(s.first + k) % n_elements()]);
         const unsigned int n = element.n_functions();
         for (unsigned int q = 0; q < table.points_per_element; ++q)
           {
@@ -227,8 +227,8 @@ namespace asperity
     if (is_closed(s))
       return;
     const auto add_end = [&](const unsigned int e, const double sign) {
-      const ElementView element(ends, ends.elements[e]);
-      const double      Y = tool.value(node[e][0])[1];
+      const ElementView<2> element(ends, ends.elements[e]);
+      const double         Y = tool.value(node[e][0])[1];
       for (unsigned int a = 0; a < element.n_functions(); ++a)
         g(element.dof(a, 0)) += sign * factor * Y * element.N(0, a);
     };
@@ -245,8 +245,8 @@ namespace asperity
   {
     for (unsigned int k = 0; k < s.n; ++k)
       {
-        const ElementView  element(table,
-                                  table.elements[(s.first + k) % n_elements()]);
+        const ElementView<2> element(
+          table, table.elements[(s.first + k) % n_elements()]);
         const unsigned int n = element.n_functions();
         for (unsigned int q = 0; q < table.points_per_element; ++q)
           {
@@ -267,8 +267,8 @@ namespace asperity
     if (is_closed(s))
       return;
     const auto add_end = [&](const unsigned int e, const double sign) {
-      const ElementView element(ends, ends.elements[e]);
-      const double      slope = tool.derivatives(node[e][0], 1)[1][1];
+      const ElementView<2> element(ends, ends.elements[e]);
+      const double         slope = tool.derivatives(node[e][0], 1)[1][1];
       for (unsigned int a = 0; a < element.n_functions(); ++a)
         for (unsigned int b = 0; b < element.n_functions(); ++b)
           K.add(element.dof(a, 0),
@@ -288,6 +288,7 @@ namespace asperity
       for (const unsigned int a : element.functions)
         for (const unsigned int b : element.functions)
           for (unsigned int c = 0; c < 4; ++c)
-            pattern.add(displacement_dof(a, c / 2), displacement_dof(b, c % 2));
+            pattern.add(displacement_dof<2>(a, c / 2),
+                        displacement_dof<2>(b, c % 2));
   }
 } // namespace asperity

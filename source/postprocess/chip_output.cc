@@ -62,10 +62,10 @@ namespace asperity
 
 
 
-  ChipOutput::ChipOutput(const SplineSpace   &space,
-                         const PatchGeometry &geometry,
-                         const unsigned int   n_subdivisions,
-                         const unsigned int   n_gauss_points)
+  ChipOutput::ChipOutput(const SplineSpace<2>   &space,
+                         const PatchGeometry<2> &geometry,
+                         const unsigned int      n_subdivisions,
+                         const unsigned int      n_gauss_points)
     : n_subdivisions(n_subdivisions)
     , n_gauss_points(n_gauss_points)
     , n_functions(space.n_functions())
@@ -75,7 +75,7 @@ namespace asperity
   {
     // The geometry is the identity plus a periodic offset, so the period in
     // space is that of the parameter.
-    if (space.periodic_x())
+    if (space.is_periodic(0))
       {
         double left = space.cell_box(0).first[0], right = left;
         for (unsigned int cell = 0; cell < space.n_cells(); ++cell)
@@ -106,7 +106,7 @@ namespace asperity
 
 
   double
-  ChipOutput::spline_value(const BasisTable::Element    &element,
+  ChipOutput::spline_value(const BasisTable<2>::Element &element,
                            const unsigned int            point,
                            const dealii::Vector<double> &coefficients,
                            const unsigned int            n_components,
@@ -149,9 +149,9 @@ namespace asperity
                         const ChipFields        &fields,
                         dealii::Table<2, float> &data) const
   {
-    const BasisTable::Element &element  = table.elements[e];
-    const unsigned int         n_points = table.points_per_element;
-    unsigned int               row      = 0;
+    const BasisTable<2>::Element &element  = table.elements[e];
+    const unsigned int            n_points = table.points_per_element;
+    unsigned int                  row      = 0;
 
     const auto add_vector = [&](const dealii::Vector<double> &coefficients) {
       for (unsigned int c = 0; c < 2; ++c, ++row)

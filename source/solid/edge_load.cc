@@ -9,11 +9,11 @@ namespace asperity
   using dealii::Tensor;
   using Vector = dealii::Vector<double>;
 
-  EdgeLoad::EdgeLoad(const SplineSpace   &space,
-                     const PatchGeometry &geometry,
-                     const Edge           edge,
-                     const Kinematics     kinematics,
-                     const unsigned int   n_quadrature)
+  EdgeLoad::EdgeLoad(const SplineSpace<2>   &space,
+                     const PatchGeometry<2> &geometry,
+                     const Edge              edge,
+                     const Kinematics        kinematics,
+                     const unsigned int      n_quadrature)
     : kinematics(kinematics)
     , table(tabulate_edge(
         space,
@@ -27,12 +27,12 @@ namespace asperity
 
 
   EdgeLoad
-  EdgeLoad::dead_traction(const SplineSpace   &space,
-                          const PatchGeometry &geometry,
-                          const Edge           edge,
-                          const Traction      &traction,
-                          const Kinematics     kinematics,
-                          const unsigned int   n_quadrature)
+  EdgeLoad::dead_traction(const SplineSpace<2>   &space,
+                          const PatchGeometry<2> &geometry,
+                          const Edge              edge,
+                          const Traction         &traction,
+                          const Kinematics        kinematics,
+                          const unsigned int      n_quadrature)
   {
     EdgeLoad load(space, geometry, edge, kinematics, n_quadrature);
     for (unsigned int q = 0; q < load.table.position.size(); ++q)
@@ -44,12 +44,12 @@ namespace asperity
 
 
   EdgeLoad
-  EdgeLoad::follower_pressure(const SplineSpace   &space,
-                              const PatchGeometry &geometry,
-                              const Edge           edge,
-                              const Pressure      &pressure,
-                              const Kinematics     kinematics,
-                              const unsigned int   n_quadrature)
+  EdgeLoad::follower_pressure(const SplineSpace<2>   &space,
+                              const PatchGeometry<2> &geometry,
+                              const Edge              edge,
+                              const Pressure         &pressure,
+                              const Kinematics        kinematics,
+                              const unsigned int      n_quadrature)
   {
     EdgeLoad load(space, geometry, edge, kinematics, n_quadrature);
     for (const auto &X : load.table.position)
@@ -85,7 +85,7 @@ namespace asperity
         for (const unsigned int b : element.functions)
           for (unsigned int i = 0; i < 2; ++i)
             for (unsigned int j = 0; j < 2; ++j)
-              pattern.add(displacement_dof(a, i), displacement_dof(b, j));
+              pattern.add(displacement_dof<2>(a, i), displacement_dof<2>(b, j));
   }
 
 
@@ -112,7 +112,7 @@ namespace asperity
   {
     for (const auto &entry : table.elements)
       {
-        const ElementView element(table, entry);
+        const ElementView<2> element(table, entry);
         for (unsigned int q = 0; q < table.points_per_element; ++q)
           {
             const unsigned int point  = element.point(q);
@@ -127,14 +127,14 @@ namespace asperity
 
 
   void
-  EdgeLoad::add_follower(const BasisTable::Element    &entry,
+  EdgeLoad::add_follower(const BasisTable<2>::Element &entry,
                          const Vector                 &u,
                          Vector                       &residual,
                          dealii::SparseMatrix<double> *tangent) const
   {
-    const bool         axisymmetric = (kinematics == Kinematics::axisymmetric);
-    const ElementView  element(table, entry);
-    const unsigned int n = element.n_functions();
+    const bool axisymmetric = (kinematics == Kinematics::axisymmetric);
+    const ElementView<2> element(table, entry);
+    const unsigned int   n = element.n_functions();
     for (unsigned int q = 0; q < table.points_per_element; ++q)
       {
         const unsigned int point = element.point(q);

@@ -28,7 +28,7 @@ namespace asperity
     /** Functions of each element in order of their index, so that rows of the
      *  matrix are filled in one sweep. */
     void
-    sort_functions(BasisTable &table)
+    sort_functions(BasisTable<2> &table)
     {
       for (auto &element : table.elements)
         {
@@ -57,10 +57,10 @@ namespace asperity
 
 
 
-  SolidAssembler::SolidAssembler(std::shared_ptr<const SplineSpace> space,
-                                 const PatchGeometry               &geometry,
-                                 std::shared_ptr<const MaterialLaw> law,
-                                 const Kinematics                   kinematics,
+  SolidAssembler::SolidAssembler(std::shared_ptr<const SplineSpace<2>> space,
+                                 const PatchGeometry<2>               &geometry,
+                                 std::shared_ptr<const MaterialLaw>    law,
+                                 const Kinematics   kinematics,
                                  const unsigned int n_quadrature)
     : space_(std::move(space))
     , law_(std::move(law))
@@ -88,8 +88,8 @@ namespace asperity
   {
     for (const auto &entry : table_.elements)
       {
-        const ElementView  element(table_, entry);
-        const unsigned int n = element.n_functions();
+        const ElementView<2> element(table_, entry);
+        const unsigned int   n = element.n_functions();
         dofs.emplace_back();
         for (unsigned int a = 0; a < n; ++a)
           for (unsigned int c = 0; c < 2; ++c)
@@ -123,9 +123,9 @@ namespace asperity
 
 
   bool
-  SolidAssembler::evaluate_law(const ElementView &element,
-                               const bool         with_tangent,
-                               Scratch           &s)
+  SolidAssembler::evaluate_law(const ElementView<2> &element,
+                               const bool            with_tangent,
+                               Scratch              &s)
   {
     const unsigned int first = element.point(0);
     s.responses.resize(table_.points_per_element);
@@ -155,7 +155,7 @@ namespace asperity
                             const bool         with_tangent,
                             Scratch           &s)
   {
-    const ElementView       element(table_, table_.elements[e]);
+    const ElementView<2>    element(table_, table_.elements[e]);
     const ElementGradients &grad_N = gradients[e];
     s.displacement.assign(grad_N.size(), 0.);
     s.residual.assign(grad_N.size(), 0.);
@@ -267,7 +267,7 @@ namespace asperity
     const double density = law_->density();
     for (const auto &entry : table_.elements)
       {
-        const ElementView element(table_, entry);
+        const ElementView<2> element(table_, entry);
         for (unsigned int a = 0; a < element.n_functions(); ++a)
           for (unsigned int b = 0; b < element.n_functions(); ++b)
             {
@@ -289,7 +289,7 @@ namespace asperity
   {
     for (const auto &entry : table_.elements)
       {
-        const ElementView element(table_, entry);
+        const ElementView<2> element(table_, entry);
         for (unsigned int q = 0; q < table_.points_per_element; ++q)
           element.add_force(q, element.JxW(q) * force, external);
       }
@@ -297,7 +297,7 @@ namespace asperity
 
 
 
-  const BasisTable &
+  const BasisTable<2> &
   SolidAssembler::table() const
   {
     return table_;
@@ -305,7 +305,7 @@ namespace asperity
 
 
 
-  const SplineSpace &
+  const SplineSpace<2> &
   SolidAssembler::space() const
   {
     return *space_;

@@ -59,8 +59,8 @@ namespace asperity
 
 
   std::vector<MaterialState>
-  transfer_states(const SplineHierarchy            &from,
-                  const SplineHierarchy            &to,
+  transfer_states(const SplineHierarchy<2>         &from,
+                  const SplineHierarchy<2>         &to,
                   const dealii::Quadrature<2>      &quadrature,
                   const std::vector<MaterialState> &states)
   {
@@ -77,9 +77,9 @@ namespace asperity
     for (unsigned int cell = 0; cell < to.n_cells(); ++cell)
       {
         // A logarithm and back would change the last digit.
-        const CellIndex &index = to.cell_index(cell);
-        const int        old   = from.nodes()[from.find_node(index)].cell;
-        const bool       kept  = old >= 0 && from.cell_index(old) == index;
+        const CellIndex<2> &index = to.cell_index(cell);
+        const int           old   = from.nodes()[from.find_node(index)].cell;
+        const bool          kept  = old >= 0 && from.cell_index(old) == index;
         for (unsigned int q = 0; q < n_q; ++q)
           result.push_back(
             kept ? states[old * n_q + q] :

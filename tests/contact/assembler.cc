@@ -37,14 +37,14 @@ namespace
   protected:
     ContactTerm()
     {
-      auto refined = std::make_shared<SplineSpace>(
+      auto refined = std::make_shared<SplineSpace<2>>(
         KnotVector(2, example::equal_steps(0., 2., 8)),
         KnotVector(2, example::equal_steps(0., 1., 4)));
       refined->refine_to_level(1, [](const Point<2> &low, const Point<2> &) {
         return low[0] < 0.7 && low[1] > 0.7;
       });
       space    = refined;
-      geometry = PatchGeometry::from_map(*space, [](const Point<2> &p) {
+      geometry = PatchGeometry<2>::from_map(*space, [](const Point<2> &p) {
         return Point<2>(p[0] + 0.05 * p[1] * p[1],
                         p[1] * (1. + 0.02 * p[0] * (2. - p[0])));
       });
@@ -112,7 +112,7 @@ namespace
     potential(const Vector &at)
     {
       residual(at);
-      const BasisTable          &table  = contact->table();
+      const BasisTable<2>       &table  = contact->table();
       const std::vector<double> &lambda = contact->multipliers();
       double                     sum    = 0.;
       const auto add = [&](const double weight, const double l, double g) {
@@ -143,24 +143,25 @@ namespace
       return sum;
     }
 
-    std::shared_ptr<const SplineSpace> space;
-    PatchGeometry                      geometry;
-    std::unique_ptr<ContactAssembler>  contact;
-    Vector                             u, direction;
+    std::shared_ptr<const SplineSpace<2>> space;
+    PatchGeometry<2>                      geometry;
+    std::unique_ptr<ContactAssembler>     contact;
+    Vector                                u, direction;
   };
 
   // x = A X with A = (1.4, 0.3; -0.2, 0.9): lengths along the edge, whose
   // tangent in the reference is (1, 0.04 (1 - xi)), change by |A t|/|t|.
   TEST_P(ContactTerm, stretch_is_that_of_an_affine_motion)
   {
-    const auto motion = PatchGeometry::from_map(*space, [](const Point<2> &p) {
-      const double x = p[0] + 0.05 * p[1] * p[1],
-                   y = p[1] * (1. + 0.02 * p[0] * (2. - p[0]));
-      return p + Point<2>(0.4 * x + 0.3 * y, -0.2 * x - 0.1 * y);
-    });
+    const auto motion =
+      PatchGeometry<2>::from_map(*space, [](const Point<2> &p) {
+        const double x = p[0] + 0.05 * p[1] * p[1],
+                     y = p[1] * (1. + 0.02 * p[0] * (2. - p[0]));
+        return p + Point<2>(0.4 * x + 0.3 * y, -0.2 * x - 0.1 * y);
+      });
     for (unsigned int a = 0; a < space->n_functions(); ++a)
       for (unsigned int c = 0; c < 2; ++c)
-        u(displacement_dof(a, c)) = motion.offset[a][c];
+        u(displacement_dof<2>(a, c)) = motion.offset[a][c];
     const std::vector<double> stretch = contact->stretch(u);
     for (unsigned int q = 0; q < stretch.size(); ++q)
       {
@@ -176,14 +177,15 @@ namespace
   // stretch 1.4 of x = 1.4 X, and the stretched edge.
   TEST_P(ContactTerm, state_per_present_length_counts_the_stretch)
   {
-    const auto motion = PatchGeometry::from_map(*space, [](const Point<2> &p) {
-      const double x = p[0] + 0.05 * p[1] * p[1],
-                   y = p[1] * (1. + 0.02 * p[0] * (2. - p[0]));
-      return p + Point<2>(0.4 * x, 0.4 * y);
-    });
+    const auto motion =
+      PatchGeometry<2>::from_map(*space, [](const Point<2> &p) {
+        const double x = p[0] + 0.05 * p[1] * p[1],
+                     y = p[1] * (1. + 0.02 * p[0] * (2. - p[0]));
+        return p + Point<2>(0.4 * x, 0.4 * y);
+      });
     for (unsigned int a = 0; a < space->n_functions(); ++a)
       for (unsigned int c = 0; c < 2; ++c)
-        u(displacement_dof(a, c)) = motion.offset[a][c];
+        u(displacement_dof<2>(a, c)) = motion.offset[a][c];
     residual(u);
     const auto touches = contact->touching();
     ASSERT_GT(std::count(touches.begin(), touches.end(), true), 3);

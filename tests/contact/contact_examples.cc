@@ -42,7 +42,7 @@ namespace example
                std::shared_ptr<const RigidObstacle> obstacle)
     {
       constexpr double size = 48., coarse = 4.;
-      auto             space = std::make_shared<SplineSpace>(
+      auto             space = std::make_shared<SplineSpace<2>>(
         KnotVector(discretization.degree,
                    equal_steps(-size, size, 2 * size / coarse)),
         KnotVector(discretization.degree,
@@ -129,8 +129,8 @@ namespace example
                  const double                         limit,
                  const std::function<double(double)> &exact)
   {
-    const BasisTable &table = problem.contact->table();
-    double            error = 0., norm = 0.;
+    const BasisTable<2> &table = problem.contact->table();
+    double               error = 0., norm = 0.;
     for (unsigned int q = 0; q < table.JxW.size(); ++q)
       {
         const double x = table.position[q][0];
@@ -149,8 +149,8 @@ namespace example
   pressure_mean(const ContactProblem                &problem,
                 const std::function<double(double)> &f)
   {
-    const BasisTable &table = problem.contact->table();
-    double            sum = 0., weight = 0.;
+    const BasisTable<2> &table = problem.contact->table();
+    double               sum = 0., weight = 0.;
     for (unsigned int q = 0; q < table.JxW.size(); ++q)
       {
         const double force = problem.contact->pressure()[q] * table.JxW[q];
@@ -166,7 +166,7 @@ namespace example
   {
     const unsigned int n = discretization.resolution;
     element_length       = 1. / n;
-    auto space           = std::make_shared<SplineSpace>(
+    auto space           = std::make_shared<SplineSpace<2>>(
       KnotVector(discretization.degree, equal_steps(-0.5, 0.5, n), true),
       KnotVector(discretization.degree, graded_rows(1., 1. / n, 1.5)));
     // The crest of the wave is at x = 0 and touches the block.
@@ -279,7 +279,7 @@ namespace example
     else
       obstacle = std::make_shared<Cylinder>(Point<2>(0.5 * length, 0.), 3.);
     ContactProblem problem(
-      std::make_shared<SplineSpace>(
+      std::make_shared<SplineSpace<2>>(
         KnotVector(discretization.degree, equal_steps(0., length, 3 * n), true),
         KnotVector(discretization.degree, equal_steps(-3., 0., n))),
       neo_hooke(0.32),

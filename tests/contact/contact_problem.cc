@@ -90,12 +90,12 @@ namespace example
 
 
 
-  ContactProblem::ContactProblem(std::shared_ptr<const SplineSpace>   space,
-                                 std::shared_ptr<const MaterialLaw>   law,
-                                 std::shared_ptr<const RigidObstacle> obstacle,
-                                 const ContactOptions &contact_options,
-                                 const Support         support,
-                                 const PatchGeometry  &geometry)
+  ContactProblem::ContactProblem(std::shared_ptr<const SplineSpace<2>> space,
+                                 std::shared_ptr<const MaterialLaw>    law,
+                                 std::shared_ptr<const RigidObstacle>  obstacle,
+                                 const ContactOptions   &contact_options,
+                                 const Support           support,
+                                 const PatchGeometry<2> &geometry)
     : u(2 * space->n_functions())
     , space(space)
     , solid(std::make_unique<SolidAssembler>(space, geometry, law))
@@ -108,13 +108,13 @@ namespace example
     dealii::AffineConstraints<double> constraints;
     for (const unsigned int a : space->edge_functions(Edge::bottom))
       {
-        constraints.add_line(displacement_dof(a, 1));
+        constraints.add_line(displacement_dof<2>(a, 1));
         if (support == Support::clamped_bottom)
-          constraints.add_line(displacement_dof(a, 0));
+          constraints.add_line(displacement_dof<2>(a, 0));
       }
     if (support == Support::rollers)
       for (const unsigned int a : space->edge_functions(Edge::left))
-        constraints.add_line(displacement_dof(a, 0));
+        constraints.add_line(displacement_dof<2>(a, 0));
     constraints.close();
     equilibrium =
       std::make_unique<Equilibrium>(u.size(),

@@ -62,12 +62,12 @@ namespace example
   class ContactProblem
   {
   public:
-    ContactProblem(std::shared_ptr<const asperity::SplineSpace>   space,
-                   std::shared_ptr<const asperity::MaterialLaw>   law,
-                   std::shared_ptr<const asperity::RigidObstacle> obstacle,
-                   const asperity::ContactOptions                &options,
+    ContactProblem(std::shared_ptr<const asperity::SplineSpace<2>> space,
+                   std::shared_ptr<const asperity::MaterialLaw>    law,
+                   std::shared_ptr<const asperity::RigidObstacle>  obstacle,
+                   const asperity::ContactOptions                 &options,
                    const Support support = Support::clamped_bottom,
-                   const asperity::PatchGeometry &geometry = {});
+                   const asperity::PatchGeometry<2> &geometry = {});
 
     /** Moves the obstacle to the offset (x, y) and finds the balance. */
     asperity::ConvergenceReport
@@ -91,14 +91,14 @@ namespace example
     double
     force() const;
 
-    dealii::Vector<double>                       u;
-    asperity::NewtonOptions                      options;
-    asperity::NewtonStatistics                   statistics;
-    asperity::ConvergenceReport                  last;
-    std::shared_ptr<const asperity::SplineSpace> space;
-    std::unique_ptr<asperity::SolidAssembler>    solid;
-    std::unique_ptr<asperity::ContactAssembler>  contact;
-    std::unique_ptr<asperity::Equilibrium>       equilibrium;
+    dealii::Vector<double>                          u;
+    asperity::NewtonOptions                         options;
+    asperity::NewtonStatistics                      statistics;
+    asperity::ConvergenceReport                     last;
+    std::shared_ptr<const asperity::SplineSpace<2>> space;
+    std::unique_ptr<asperity::SolidAssembler>       solid;
+    std::unique_ptr<asperity::ContactAssembler>     contact;
+    std::unique_ptr<asperity::Equilibrium>          equilibrium;
   };
 } // namespace example
 

@@ -58,10 +58,10 @@ namespace
     return KnotVector(degree, {0., 0.3, 0.5, 0.9, 1.3, 1.5, 2.});
   }
 
-  std::shared_ptr<SplineSpace>
+  std::shared_ptr<SplineSpace<2>>
   block(const unsigned int degree, const bool refined)
   {
-    auto space = std::make_shared<SplineSpace>(
+    auto space = std::make_shared<SplineSpace<2>>(
       block_columns(degree), KnotVector(degree, {0., 0.3, 0.6, 0.8, 1.}));
     if (refined)
       space->refine_to_level(2, [](const Point<2> &low, const Point<2> &high) {
@@ -159,9 +159,9 @@ namespace
   TEST_P(CurvedPatchTest, hydrostatic_pressure_is_in_equilibrium)
   {
     const auto [degree, formulation] = GetParam();
-    const auto          space        = block(degree, false);
-    const PatchGeometry geometry =
-      PatchGeometry::from_map(*space, [](const Point<2> &xi) {
+    const auto             space     = block(degree, false);
+    const PatchGeometry<2> geometry =
+      PatchGeometry<2>::from_map(*space, [](const Point<2> &xi) {
         return Point<2>(xi[0], xi[1] * (1. + 0.1 * std::sin(3. * xi[0])));
       });
     const auto identity = space->project(

@@ -66,7 +66,7 @@ namespace
   struct WavyEdge
   {
     explicit WavyEdge(const Interface &interface)
-      : space(std::make_shared<SplineSpace>(
+      : space(std::make_shared<SplineSpace<2>>(
           KnotVector(2, example::equal_steps(0., 2., 16), true),
           KnotVector(2, example::equal_steps(0., 1., 3))))
       , contact(space,
@@ -103,9 +103,9 @@ namespace
       return R;
     }
 
-    std::shared_ptr<const SplineSpace> space;
-    ContactAssembler                   contact;
-    Vector                             u, direction;
+    std::shared_ptr<const SplineSpace<2>> space;
+    ContactAssembler                      contact;
+    Vector                                u, direction;
   };
 
   TEST_P(Shear, tangent_is_the_derivative_of_the_residual_in_stick_and_slip)
@@ -162,7 +162,7 @@ namespace
   struct Block
   {
     explicit Block(const Interface &interface)
-      : problem(std::make_shared<SplineSpace>(
+      : problem(std::make_shared<SplineSpace<2>>(
                   KnotVector(2, example::equal_steps(0., 2., 8), true),
                   KnotVector(2, example::equal_steps(0., 1., 4))),
                 std::make_shared<NeoHooke>(elasticity()),
@@ -276,7 +276,7 @@ namespace
       for (const double p : {1e4, 0.})
         {
           const double penalty = 1e6, strength = 5e3, slip = 0.1;
-          const auto   space = std::make_shared<SplineSpace>(
+          const auto   space = std::make_shared<SplineSpace<2>>(
             KnotVector(2, example::equal_steps(0., 2., 16), true),
             KnotVector(2, example::equal_steps(0., 1., 3)));
           const ContactOptions options =

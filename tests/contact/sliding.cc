@@ -28,12 +28,12 @@ namespace
     ContactOptions options;
     options.formulation = GetParam();
     options.penalty     = 100.;
-    const auto space    = std::make_shared<SplineSpace>(
+    const auto space    = std::make_shared<SplineSpace<2>>(
       KnotVector(2, example::equal_steps(0., 1., 20), true),
       KnotVector(2, example::equal_steps(-0.5, 0., 6)));
     // The body has a wave, too: the asperities push each other aside.
     const auto geometry =
-      PatchGeometry::from_map(*space, [](const dealii::Point<2> &p) {
+      PatchGeometry<2>::from_map(*space, [](const dealii::Point<2> &p) {
         return dealii::Point<2>(p[0],
                                 p[1] + (0.02 + 0.04 * p[1]) *
                                          (std::cos(2. * M_PI * p[0]) - 1.));

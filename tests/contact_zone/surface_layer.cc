@@ -11,7 +11,7 @@ TEST(SurfaceLayer, is_linear_in_depth_and_along_the_edge_over_the_period)
 {
   const SceneParameters      parameters = coarse_scene();
   const Scene                scene(parameters);
-  const BasisTable          &body    = scene.chip->table();
+  const BasisTable<2>       &body    = scene.chip->table();
   std::vector<MaterialState> history = scene.chip->history();
   for (std::size_t q = 0; q < history.size(); ++q)
     {
@@ -50,7 +50,7 @@ TEST(SurfaceLayer, is_linear_in_depth_and_along_the_edge_over_the_period)
 TEST(SurfaceLayer, has_no_negative_strain)
 {
   const Scene                scene(coarse_scene());
-  const BasisTable          &body    = scene.chip->table();
+  const BasisTable<2>       &body    = scene.chip->table();
   std::vector<MaterialState> history = scene.chip->history();
   double                     top     = 0.;
   for (const auto &position : body.position)

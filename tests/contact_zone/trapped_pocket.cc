@@ -41,7 +41,7 @@ namespace
   {
   public:
     explicit TrappedPocket(const double modulus)
-      : space(std::make_shared<SplineSpace>(
+      : space(std::make_shared<SplineSpace<2>>(
           KnotVector(2, columns(), true),
           KnotVector(2, graded_rows(1., 1. / n_columns, 1.5))))
       , tool(interpolate_periodic_function(
@@ -59,7 +59,7 @@ namespace
       options.penalty = 100. * E * n_columns;
       contact         = std::make_unique<ContactAssembler>(
         space,
-        PatchGeometry(),
+        PatchGeometry<2>(),
         Edge::top,
         std::make_shared<CurveObstacle>(tool, CurveSide::right),
         options);
@@ -69,13 +69,13 @@ namespace
       // Touching at the start the mean gap is half of 2 h.
       pocket_options.wetting = mean_gap(0.1) / 0.5;
       oil                    = std::make_unique<SealedPocket>(*space,
-                                           PatchGeometry(),
+                                           PatchGeometry<2>(),
                                            tool,
                                            pocket_options);
 
       dealii::AffineConstraints<double> constraints;
       for (const unsigned int a : space->edge_functions(Edge::bottom))
-        constraints.add_line(displacement_dof(a, 0));
+        constraints.add_line(displacement_dof<2>(a, 0));
       constraints.close();
       equilibrium = std::make_unique<Equilibrium>(
         u.size(),
@@ -84,7 +84,7 @@ namespace
         DirectSolverKind::cholmod);
       equilibrium->set_support(2 * space->edge_functions(Edge::bottom)[0] + 1);
       bottom = tabulate_edge(*space,
-                             PatchGeometry(),
+                             PatchGeometry<2>(),
                              Edge::bottom,
                              dealii::QGauss<1>(3));
       // In touch, so that the contact can carry the first load.
@@ -117,8 +117,8 @@ namespace
     double
     half_width() const
     {
-      double            sum = 0., moment = 0.;
-      const BasisTable &table = contact->table();
+      double               sum = 0., moment = 0.;
+      const BasisTable<2> &table = contact->table();
       for (std::size_t q = 0; q < table.JxW.size(); ++q)
         {
           const double force = contact->pressure()[q] * table.JxW[q];
@@ -152,12 +152,12 @@ namespace
       return std::make_shared<NeoHooke>(elasticity);
     }
 
-    std::shared_ptr<SplineSpace>      space;
+    std::shared_ptr<SplineSpace<2>>   space;
     SplineCurve                       tool;
     SolidAssembler                    solid;
     std::unique_ptr<ContactAssembler> contact;
     std::unique_ptr<Equilibrium>      equilibrium;
-    BasisTable                        bottom;
+    BasisTable<2>                     bottom;
     Vector                            u;
   };
 

@@ -24,7 +24,7 @@ namespace
       space.refine_to_level(1, [](const Point<2> &low, const Point<2> &) {
         return low[0] < 1. && low[1] > 0.3;
       });
-      geometry = PatchGeometry::from_map(space, [&](const Point<2> &xi) {
+      geometry = PatchGeometry<2>::from_map(space, [&](const Point<2> &xi) {
         return Point<2>(xi[0] + (periodic ? 0. : 0.1 * xi[1] * xi[1]),
                         xi[1] + 0.2 * std::sin(2. * M_PI * xi[0] / 3.5));
       });
@@ -67,8 +67,8 @@ namespace
     }
 
     std::mt19937           random{3};
-    SplineSpace            space;
-    PatchGeometry          geometry;
+    SplineSpace<2>         space;
+    PatchGeometry<2>       geometry;
     std::vector<EdgePoint> places;
   };
 
@@ -99,7 +99,7 @@ TEST(Interface, nodes_move_with_the_spline_exactly)
         const unsigned int n = strip.space.n_functions();
         const Vector       u = strip.random_vector(2 * n);
         // The displacement as the geometry of another patch.
-        PatchGeometry moved = strip.geometry;
+        PatchGeometry<2> moved = strip.geometry;
         for (unsigned int a = 0; a < n; ++a)
           for (unsigned int c = 0; c < 2; ++c)
             moved.offset[a][c] += u(2 * a + c);

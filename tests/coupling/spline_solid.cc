@@ -15,10 +15,11 @@ namespace
   struct Block
   {
     Block()
-      : space(std::make_shared<SplineSpace>(KnotVector(2, {0., 0.5, 1.}),
-                                            KnotVector(2, {0., 0.5, 1.})))
-      , geometry(PatchGeometry::from_map(*space,
-                                         [](const Point<2> &xi) { return xi; }))
+      : space(std::make_shared<SplineSpace<2>>(KnotVector(2, {0., 0.5, 1.}),
+                                               KnotVector(2, {0., 0.5, 1.})))
+      , geometry(
+          PatchGeometry<2>::from_map(*space,
+                                     [](const Point<2> &xi) { return xi; }))
       , interface(*space,
                   geometry,
                   {{Edge::top, 0.2}, {Edge::top, 0.5}, {Edge::top, 0.9}})
@@ -26,12 +27,12 @@ namespace
     {
       for (const unsigned int a : space->edge_functions(Edge::bottom))
         for (unsigned int c = 0; c < 2; ++c)
-          constraints.add_line(displacement_dof(a, c));
+          constraints.add_line(displacement_dof<2>(a, c));
       constraints.close();
     }
 
-    std::shared_ptr<SplineSpace>      space;
-    PatchGeometry                     geometry;
+    std::shared_ptr<SplineSpace<2>>   space;
+    PatchGeometry<2>                  geometry;
     Interface                         interface;
     SolidAssembler                    assembler;
     dealii::AffineConstraints<double> constraints;

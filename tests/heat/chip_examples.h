@@ -42,7 +42,7 @@ namespace heat_example
       return x;
     }
 
-    BasisTable
+    BasisTable<2>
     edge(const Edge edge) const
     {
       return tabulate_edge(
@@ -71,7 +71,7 @@ namespace heat_example
       Vector     u            = at_rest();
       for (unsigned int a = 0; a < space.n_functions(); ++a)
         for (unsigned int c = 0; c < 2; ++c)
-          u(displacement_dof(a, c)) = coefficients[c][a];
+          u(displacement_dof<2>(a, c)) = coefficients[c][a];
       return u;
     }
 
@@ -87,7 +87,7 @@ namespace heat_example
 
     /** power_a += int N_a f dS along an edge. */
     static void
-    add_flux(const BasisTable                              &edge,
+    add_flux(const BasisTable<2>                           &edge,
              const std::function<double(const Point<2> &)> &f,
              Vector                                        &power)
     {
@@ -97,9 +97,9 @@ namespace heat_example
       add_point_values(edge, heat, power);
     }
 
-    double      length;
-    SplineSpace space;
-    BasisTable  cells, top, bottom;
+    double         length;
+    SplineSpace<2> space;
+    BasisTable<2>  cells, top, bottom;
   };
 
   /** Levels from 0 to `height`, finest at the top, where a row is `top` high;

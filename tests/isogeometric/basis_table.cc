@@ -21,13 +21,13 @@ namespace
 
   /** A curved map that the space contains, and one with random periodic
    *  offsets small enough not to fold. */
-  PatchGeometry
-  curved(const SplineSpace &space)
+  PatchGeometry<2>
+  curved(const SplineSpace<2> &space)
   {
-    if (space.periodic_x())
+    if (space.is_periodic(0))
       {
-        PatchGeometry geometry;
-        const auto    c = example::random_coefficients(2 * space.n_functions());
+        PatchGeometry<2> geometry;
+        const auto c = example::random_coefficients(2 * space.n_functions());
         for (unsigned int a = 0; a < space.n_functions(); ++a)
           {
             Tensor<1, 2> D;
@@ -37,7 +37,7 @@ namespace
           }
         return geometry;
       }
-    return PatchGeometry::from_map(space, [&](const Point<2> &x) {
+    return PatchGeometry<2>::from_map(space, [&](const Point<2> &x) {
       if (space.degree() == 1)
         return Point<2>(x[0] + 0.2 * x[0] * x[1], x[1]);
       return Point<2>(x[0] + 0.2 * x[1] * x[1], x[1] + 0.1 * x[0] * x[0]);
@@ -46,7 +46,7 @@ namespace
 
   /** Integral of the determinant of the maps of curved() over [0,2] x [0,1]. */
   double
-  area_of_curved(const SplineSpace &space)
+  area_of_curved(const SplineSpace<2> &space)
   {
     return space.degree() == 1 ? 2.2 : 2. - 0.4 * 0.2 * 2. * 0.5;
   }
@@ -55,7 +55,7 @@ namespace
 
   /** dX/dxi from the offsets and the parametric gradients. */
   Tensor<2, 2>
-  jacobian(const PatchGeometry             &geometry,
+  jacobian(const PatchGeometry<2>          &geometry,
            const std::vector<unsigned int> &functions,
            const std::vector<Tensor<1, 2>> &gradients)
   {
@@ -70,7 +70,7 @@ namespace
 TEST(BasisTable, measures_of_a_curved_patch)
 {
   for (const auto &[name, space] : example::all())
-    if (!space->periodic_x())
+    if (!space->is_periodic(0))
       {
         const auto   geometry = curved(*space);
         const auto   table    = tabulate_cells(*space, geometry, QGauss<2>(3));
@@ -165,12 +165,12 @@ namespace
   /** Point q of an edge's element against the values of the cell there; returns
    *  the parameter along the edge. */
   double
-  check_edge_point(const SplineSpace         &space,
-                   const PatchGeometry       &geometry,
-                   const BasisTable          &table,
-                   const BasisTable::Element &element,
-                   const unsigned int         q,
-                   const unsigned int         along)
+  check_edge_point(const SplineSpace<2>         &space,
+                   const PatchGeometry<2>       &geometry,
+                   const BasisTable<2>          &table,
+                   const BasisTable<2>::Element &element,
+                   const unsigned int            q,
+                   const unsigned int            along)
   {
     const unsigned int        point = element.first_point + q;
     const unsigned int        n     = element.functions.size();
@@ -205,9 +205,9 @@ namespace
   /** The trace holds the functions that do not vanish on the edge, in the
    *  order of the whole element. */
   void
-  check_trace(const BasisTable::Element &whole,
-              const BasisTable::Element &trace,
-              const unsigned int         q)
+  check_trace(const BasisTable<2>::Element &whole,
+              const BasisTable<2>::Element &trace,
+              const unsigned int            q)
   {
     unsigned int matched = 0;
     for (unsigned int a = 0; a < whole.functions.size(); ++a)
@@ -267,7 +267,7 @@ TEST(BasisTable, outward_normals_of_the_rectangle)
 TEST(BasisTable, a_folded_geometry_is_refused)
 {
   const auto space  = example::uniform(2, false);
-  const auto folded = PatchGeometry::from_map(*space, [](const Point<2> &x) {
+  const auto folded = PatchGeometry<2>::from_map(*space, [](const Point<2> &x) {
     return Point<2>(-x[0], x[1]);
   });
   EXPECT_THROW(tabulate_cells(*space, folded, QGauss<2>(2)), ComputationError);

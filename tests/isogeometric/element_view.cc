@@ -23,7 +23,7 @@ namespace
     Vector u(2 * components[0].size());
     for (unsigned int a = 0; a < components[0].size(); ++a)
       for (unsigned int c = 0; c < 2; ++c)
-        u(displacement_dof(a, c)) = components[c][a];
+        u(displacement_dof<2>(a, c)) = components[c][a];
     return u;
   }
 
@@ -53,7 +53,7 @@ namespace
     }
 
     Vector
-    coefficients(const SplineSpace &space) const
+    coefficients(const SplineSpace<2> &space) const
     {
       return interleaved(space.project(
         [this](const Point<2> &X) {
@@ -72,7 +72,9 @@ namespace
   }
 
   Tensor<2, 2>
-  gradient_of(const ElementView &element, const unsigned int q, const Vector &u)
+  gradient_of(const ElementView<2> &element,
+              const unsigned int    q,
+              const Vector         &u)
   {
     Tensor<2, 2> G;
     for (unsigned int a = 0; a < element.n_functions(); ++a)
@@ -86,14 +88,15 @@ TEST(ElementView, interpolates_polynomials_and_their_gradients)
 {
   for (const example::Case &example : example::all())
     {
-      const Polynomial polynomial = polynomial_of(example);
-      const Vector     u          = polynomial.coefficients(*example.space);
-      const BasisTable table =
-        tabulate_cells(*example.space, PatchGeometry(), dealii::QGauss<2>(2));
-      double area = 0.;
+      const Polynomial    polynomial = polynomial_of(example);
+      const Vector        u          = polynomial.coefficients(*example.space);
+      const BasisTable<2> table      = tabulate_cells(*example.space,
+                                                 PatchGeometry<2>(),
+                                                 dealii::QGauss<2>(2));
+      double              area       = 0.;
       for (const auto &entry : table.elements)
         {
-          const ElementView element(table, entry);
+          const ElementView<2> element(table, entry);
           for (unsigned int q = 0; q < table.points_per_element; ++q)
             {
               const Point<2> X = table.position[element.point(q)];
@@ -116,18 +119,18 @@ namespace
 {
   /** Expects t + A t of the tangents t of all edges where u = A X. */
   void
-  expect_stretched_tangents(const SplineSpace   &space,
-                            const PatchGeometry &geometry,
-                            const Vector        &u,
-                            const Tensor<2, 2>  &A)
+  expect_stretched_tangents(const SplineSpace<2>   &space,
+                            const PatchGeometry<2> &geometry,
+                            const Vector           &u,
+                            const Tensor<2, 2>     &A)
   {
     for (const Edge edge : {Edge::left, Edge::right, Edge::bottom, Edge::top})
       {
-        const BasisTable table =
+        const BasisTable<2> table =
           tabulate_edge(space, geometry, edge, dealii::QGauss<1>(3), true);
         for (const auto &entry : table.elements)
           {
-            const ElementView element(table, entry);
+            const ElementView<2> element(table, entry);
             for (unsigned int q = 0; q < table.points_per_element; ++q)
               {
                 const Tensor<1, 2> tangent = table.tangent[element.point(q)];
@@ -157,8 +160,8 @@ TEST(ElementView, has_a_linear_map_of_a_curved_patch)
           return std::vector<double>{xi[0], xi[1]};
         },
         2);
-      const auto    random = example::random_coefficients(2 * X[0].size());
-      PatchGeometry geometry;
+      const auto       random = example::random_coefficients(2 * X[0].size());
+      PatchGeometry<2> geometry;
       std::vector<std::vector<double>> coefficients = X;
       for (unsigned int a = 0; a < X[0].size(); ++a)
         {
@@ -171,11 +174,11 @@ TEST(ElementView, has_a_linear_map_of_a_curved_patch)
         }
       const Vector u = interleaved(coefficients);
 
-      const BasisTable cells =
+      const BasisTable<2> cells =
         tabulate_cells(*space, geometry, dealii::QGauss<2>(2));
       for (const auto &entry : cells.elements)
         {
-          const ElementView element(cells, entry);
+          const ElementView<2> element(cells, entry);
           for (unsigned int q = 0; q < cells.points_per_element; ++q)
             {
               Tensor<1, 2> displacement;
@@ -197,16 +200,16 @@ TEST(ElementView, nodal_loads_do_the_work_of_the_force)
 {
   for (const example::Case &example : example::all())
     {
-      const Polynomial   polynomial = polynomial_of(example);
-      const unsigned int p          = polynomial.p;
-      const Vector       u          = polynomial.coefficients(*example.space);
-      const BasisTable   table      = tabulate_cells(*example.space,
-                                              PatchGeometry(),
-                                              dealii::QGauss<2>(p + 1));
-      Vector             r(u.size());
+      const Polynomial    polynomial = polynomial_of(example);
+      const unsigned int  p          = polynomial.p;
+      const Vector        u          = polynomial.coefficients(*example.space);
+      const BasisTable<2> table      = tabulate_cells(*example.space,
+                                                 PatchGeometry<2>(),
+                                                 dealii::QGauss<2>(p + 1));
+      Vector              r(u.size());
       for (const auto &entry : table.elements)
         {
-          const ElementView element(table, entry);
+          const ElementView<2> element(table, entry);
           for (unsigned int q = 0; q < table.points_per_element; ++q)
             {
               const Point<2> f(table.position[element.point(q)][1], 2.);

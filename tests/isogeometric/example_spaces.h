@@ -29,16 +29,16 @@ namespace example
   }
 
   /** [0, 2] x [0, 1] with 7 x 5 unequal spans. */
-  inline std::unique_ptr<SplineSpace>
+  inline std::unique_ptr<SplineSpace<2>>
   uniform(const unsigned int degree, const bool periodic)
   {
-    return std::make_unique<SplineSpace>(
+    return std::make_unique<SplineSpace<2>>(
       KnotVector(degree, breakpoints(7, 2.), periodic),
       KnotVector(degree, breakpoints(5, 1.)));
   }
 
   /** Three levels, refined towards the start of the period and the top. */
-  inline std::unique_ptr<SplineSpace>
+  inline std::unique_ptr<SplineSpace<2>>
   graded(const unsigned int degree, const bool periodic)
   {
     auto space = uniform(degree, periodic);
@@ -51,7 +51,7 @@ namespace example
   }
 
   /** Four levels around a point inside. */
-  inline std::unique_ptr<SplineSpace>
+  inline std::unique_ptr<SplineSpace<2>>
   spot(const unsigned int degree, const bool periodic)
   {
     auto space = uniform(degree, periodic);
@@ -78,8 +78,8 @@ namespace example
 
   struct Case
   {
-    std::string                  name;
-    std::unique_ptr<SplineSpace> space;
+    std::string                     name;
+    std::unique_ptr<SplineSpace<2>> space;
   };
 
   /** All of the above for degrees(), open and periodic. */
@@ -116,7 +116,7 @@ namespace example
 
   /** Value of a spline at a parameter. */
   inline double
-  value(const SplineSpace         &space,
+  value(const SplineSpace<2>      &space,
         const std::vector<double> &coefficients,
         const dealii::Point<2>    &parameter)
   {

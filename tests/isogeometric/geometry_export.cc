@@ -21,11 +21,11 @@ using dealii::Tensor;
 
 namespace
 {
-  PatchGeometry
-  random_geometry(const SplineSpace &space)
+  PatchGeometry<2>
+  random_geometry(const SplineSpace<2> &space)
   {
-    PatchGeometry geometry;
-    const auto    c = example::random_coefficients(2 * space.n_functions());
+    PatchGeometry<2> geometry;
+    const auto       c = example::random_coefficients(2 * space.n_functions());
     for (unsigned int a = 0; a < space.n_functions(); ++a)
       geometry.offset.push_back(
         Point<2>(0.004 * c[2 * a], 0.004 * c[2 * a + 1]));
@@ -38,8 +38,8 @@ namespace
    *  the same shape in the triangulation, whatever the cached points are. */
   void
   initialize(dealii::MappingQCache<2> &mapping,
-             const SplineSpace        &space,
-             const PatchGeometry      &geometry)
+             const SplineSpace<2>     &space,
+             const PatchGeometry<2>   &geometry)
   {
     // deal.II's points of the parameter mesh are parameters. They lie on cell
     // faces, too, where the polynomials of this very cell are to be taken.
@@ -104,9 +104,9 @@ TEST(EdgeTrace, a_periodic_edge_goes_on_beyond_the_period)
 TEST(EdgeTrace, multiple_knots_keep_their_kinks)
 {
   // A double knot at 0.5 in a quadratic space: the edge may have a corner.
-  SplineSpace space(KnotVector::from_knots(2,
-                                           {0., 0., 0., 0.5, 0.5, 1., 1., 1.}),
-                    KnotVector(2, {0., 0.5, 1.}));
+  SplineSpace<2> space(
+    KnotVector::from_knots(2, {0., 0., 0., 0.5, 0.5, 1., 1., 1.}),
+    KnotVector(2, {0., 0.5, 1.}));
   space.refine_to_level(1, [](const Point<2> &low, const Point<2> &) {
     return low[0] > 0.4;
   });

@@ -26,8 +26,8 @@ namespace
   /** Displacement coefficients [2 a + c] of plane linear elasticity with the
    *  coefficients of `prescribed` on the edges that bound the domain. */
   dealii::Vector<double>
-  solve_elasticity(const SplineSpace         &space,
-                   const PatchGeometry       &geometry,
+  solve_elasticity(const SplineSpace<2>      &space,
+                   const PatchGeometry<2>    &geometry,
                    const std::vector<double> &prescribed)
   {
     const unsigned int n = 2 * space.n_functions();
@@ -66,7 +66,7 @@ namespace
       }
     std::set<unsigned int> fixed;
     for (const Edge edge : {Edge::bottom, Edge::top, Edge::left, Edge::right})
-      if (!space.periodic_x() || edge == Edge::bottom || edge == Edge::top)
+      if (!space.is_periodic(0) || edge == Edge::bottom || edge == Edge::top)
         for (const unsigned int a : space.edge_functions(edge))
           fixed.insert({2 * a, 2 * a + 1});
     dealii::Vector<double> u(n);
@@ -88,8 +88,8 @@ TEST(PatchTest, a_linear_displacement_is_exact_on_hierarchical_meshes)
   for (const auto &[name, space] : example::all())
     {
       // The geometry: a patch with curved cells everywhere.
-      const auto    c = example::random_coefficients(2 * space->n_functions());
-      PatchGeometry geometry;
+      const auto c = example::random_coefficients(2 * space->n_functions());
+      PatchGeometry<2> geometry;
       for (unsigned int a = 0; a < space->n_functions(); ++a)
         geometry.offset.push_back(
           Point<2>(0.005 * c[2 * a], 0.005 * c[2 * a + 1]));
@@ -98,14 +98,14 @@ TEST(PatchTest, a_linear_displacement_is_exact_on_hierarchical_meshes)
       Tensor<2, 2> A;
       A[0][1] = 0.3;
       A[1][1] = -0.2;
-      if (!space->periodic_x())
+      if (!space->is_periodic(0))
         {
           A[0][0] = 0.1;
           A[1][0] = 0.4;
         }
       const auto identity = space->project(
         [&](const Point<2> &x) {
-          return std::vector<double>{space->periodic_x() ? 0. : x[0], x[1]};
+          return std::vector<double>{space->is_periodic(0) ? 0. : x[0], x[1]};
         },
         2);
       std::vector<double> expected;

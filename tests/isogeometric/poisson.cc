@@ -81,7 +81,7 @@ namespace
   };
 
   void
-  assemble_cells(const BasisTable             &cells,
+  assemble_cells(const BasisTable<2>          &cells,
                  const Solution               &exact,
                  dealii::SparseMatrix<double> &matrix,
                  dealii::Vector<double>       &load)
@@ -110,13 +110,13 @@ namespace
   }
 
   void
-  add_normal_derivatives(const SplineSpace      &space,
-                         const PatchGeometry    &geometry,
+  add_normal_derivatives(const SplineSpace<2>   &space,
+                         const PatchGeometry<2> &geometry,
                          const Solution         &exact,
                          dealii::Vector<double> &load)
   {
     std::vector<Edge> loaded{Edge::top};
-    if (!space.periodic_x())
+    if (!space.is_periodic(0))
       loaded = {Edge::top, Edge::left, Edge::right};
     for (const Edge edge : loaded)
       {
@@ -134,8 +134,8 @@ namespace
   }
 
   Errors
-  measure(const SplineSpace            &space,
-          const PatchGeometry          &geometry,
+  measure(const SplineSpace<2>         &space,
+          const PatchGeometry<2>       &geometry,
           const Solution               &exact,
           const dealii::Vector<double> &u)
   {
@@ -165,9 +165,9 @@ namespace
   }
 
   Errors
-  solve(const SplineSpace   &space,
-        const PatchGeometry &geometry,
-        const Solution      &exact)
+  solve(const SplineSpace<2>   &space,
+        const PatchGeometry<2> &geometry,
+        const Solution         &exact)
   {
     const auto cells =
       tabulate_cells(space, geometry, dealii::QGauss<2>(space.degree() + 2));
@@ -198,15 +198,15 @@ namespace
   /** A wavy patch over [0, 2] x [0, 1] with a flat bottom, and its geometry. */
   struct Patch
   {
-    std::unique_ptr<SplineSpace> space;
-    PatchGeometry                geometry;
+    std::unique_ptr<SplineSpace<2>> space;
+    PatchGeometry<2>                geometry;
 
     Patch(const unsigned int degree, const bool periodic)
     {
-      space = std::make_unique<SplineSpace>(
+      space = std::make_unique<SplineSpace<2>>(
         KnotVector(degree, {0., 0.4, 0.8, 1.2, 1.6, 2.}, periodic),
         KnotVector(degree, {0., 0.5, 1.}));
-      geometry = PatchGeometry::from_map(*space, [](const Point<2> &x) {
+      geometry = PatchGeometry<2>::from_map(*space, [](const Point<2> &x) {
         return Point<2>(x[0] + 0.1 * std::sin(3. * x[1]),
                         x[1] * (1. + 0.15 * std::sin(M_PI * x[0])));
       });
@@ -221,7 +221,7 @@ namespace
     {
       const auto before = space->hierarchy();
       space->refine_to_level(level, wanted);
-      geometry = SpaceTransfer(*before, *space->hierarchy()).apply(geometry);
+      geometry = SpaceTransfer<2>(*before, *space->hierarchy()).apply(geometry);
     }
   };
 

@@ -23,11 +23,11 @@ namespace
 
   /** Integral over the parameters of a spline squared error. */
   double
-  squared_distance(const SplineSpace         &a,
+  squared_distance(const SplineSpace<2>      &a,
                    const std::vector<double> &u,
-                   const SplineSpace         &b,
+                   const SplineSpace<2>      &b,
                    const std::vector<double> &v,
-                   const SplineSpace         &fine)
+                   const SplineSpace<2>      &fine)
   {
     double     sum   = 0.;
     const auto table = tabulate_cells(fine, {}, QGauss<2>(5));
@@ -54,7 +54,7 @@ TEST(SpaceTransfer, refinement_leaves_the_spline_unchanged)
         expected.push_back(example::value(*space, first, point));
 
       space->refine_to_level(2, around_a_point);
-      const SpaceTransfer transfer(*before, *space->hierarchy());
+      const SpaceTransfer<2> transfer(*before, *space->hierarchy());
       ASSERT_TRUE(transfer.is_exact());
       const auto d = transfer.apply(c, 2);
       first.resize(space->n_functions());
@@ -72,7 +72,7 @@ TEST(SpaceTransfer, an_unchanged_mesh_gives_the_same_coefficients)
 {
   for (const auto &[name, space] : example::all())
     {
-      const SpaceTransfer transfer(*space->hierarchy(), *space->hierarchy());
+      const SpaceTransfer<2> transfer(*space->hierarchy(), *space->hierarchy());
       const auto c = example::random_coefficients(space->n_functions());
       const auto d = transfer.apply(c);
       for (unsigned int a = 0; a < c.size(); ++a)
@@ -91,9 +91,9 @@ TEST(SpaceTransfer, coarsening_is_a_projection)
       const auto fine = space->hierarchy();
       if (fine->n_cells() == coarse->n_cells())
         continue;
-      const SpaceTransfer up(*coarse, *fine);
+      const SpaceTransfer<2> up(*coarse, *fine);
       space->refine_like(*coarse);
-      const SpaceTransfer down(*fine, *coarse);
+      const SpaceTransfer<2> down(*fine, *coarse);
       EXPECT_FALSE(down.is_exact());
       const auto d = down.apply(up.apply(c));
       for (unsigned int a = 0; a < c.size(); ++a)
@@ -105,12 +105,12 @@ TEST(SpaceTransfer, coarsening_gives_the_nearest_spline)
 {
   for (const bool periodic : {false, true})
     {
-      const auto          coarse = example::uniform(2, periodic);
-      const auto          fine   = example::graded(2, periodic);
-      const auto          u = example::random_coefficients(fine->n_functions());
-      const SpaceTransfer transfer(*fine->hierarchy(), *coarse->hierarchy());
-      const auto          v    = transfer.apply(u);
-      const double        best = squared_distance(*fine, u, *coarse, v, *fine);
+      const auto coarse = example::uniform(2, periodic);
+      const auto fine   = example::graded(2, periodic);
+      const auto u      = example::random_coefficients(fine->n_functions());
+      const SpaceTransfer<2> transfer(*fine->hierarchy(), *coarse->hierarchy());
+      const auto             v = transfer.apply(u);
+      const double best        = squared_distance(*fine, u, *coarse, v, *fine);
       for (unsigned int a = 0; a < v.size(); a += 5)
         for (const double change : {-1e-3, 1e-3})
           {
@@ -123,17 +123,18 @@ TEST(SpaceTransfer, coarsening_gives_the_nearest_spline)
 
 TEST(SpaceTransfer, geometry_is_the_same_after_refinement)
 {
-  auto       space    = example::uniform(3, true);
-  const auto geometry = PatchGeometry::from_map(*space, [](const Point<2> &x) {
-    return Point<2>(x[0], x[1] * (1. + 0.1 * std::cos(M_PI * x[0])));
-  });
+  auto       space = example::uniform(3, true);
+  const auto geometry =
+    PatchGeometry<2>::from_map(*space, [](const Point<2> &x) {
+      return Point<2>(x[0], x[1] * (1. + 0.1 * std::cos(M_PI * x[0])));
+    });
   std::vector<Point<2>> expected;
   for (const auto &point : example::random_points(50))
     expected.push_back(geometry.position(*space, point));
   const auto before = space->hierarchy();
   space->refine_to_level(2, around_a_point);
   const auto refined =
-    SpaceTransfer(*before, *space->hierarchy()).apply(geometry);
+    SpaceTransfer<2>(*before, *space->hierarchy()).apply(geometry);
   unsigned int i = 0;
   for (const auto &point : example::random_points(50))
     EXPECT_NEAR((refined.position(*space, point) - expected[i++]).norm(),
@@ -146,9 +147,9 @@ namespace
   /** Values of f at the quadrature points, two components f and -f. */
   template <typename Function>
   std::vector<double>
-  history(const SplineSpace &space,
-          const QGauss<2>   &quadrature,
-          const Function    &f)
+  history(const SplineSpace<2> &space,
+          const QGauss<2>      &quadrature,
+          const Function       &f)
   {
     std::vector<double> values;
     for (const auto &x : tabulate_cells(space, {}, quadrature).parameter)
@@ -157,7 +158,7 @@ namespace
   }
 
   double
-  integral(const SplineSpace         &space,
+  integral(const SplineSpace<2>      &space,
            const QGauss<2>           &quadrature,
            const std::vector<double> &values)
   {

@@ -52,7 +52,7 @@ TEST(SplineSpace, functions_are_linearly_independent)
 {
   for (const auto &[name, space] : example::all())
     {
-      const auto gramian = L2Projection::gramian(*space->hierarchy());
+      const auto gramian = L2Projection<2>::gramian(*space->hierarchy());
       dealii::LAPACKFullMatrix<double> scaled(gramian.m(), gramian.n());
       for (unsigned int i = 0; i < gramian.m(); ++i)
         for (unsigned int j = 0; j < gramian.n(); ++j)
@@ -72,7 +72,7 @@ TEST(SplineSpace, reproduces_polynomials_of_its_degree)
   for (const auto &[name, space] : example::all())
     {
       // With x periodic only constants in x are splines.
-      const int  p_x = space->periodic_x() ? 0 : space->degree();
+      const int  p_x = space->is_periodic(0) ? 0 : space->degree();
       const int  p_y = space->degree();
       const auto f   = [&](const Point<2> &x) {
         return std::vector<double>{std::pow(x[0] - 0.7, p_x) *
@@ -240,9 +240,9 @@ TEST(SplineSpace, traces_vanish_outside_the_edge_functions)
             const unsigned int p = space->degree();
             if (!vertical)
               {
-                EXPECT_EQ(functions.size(), space->periodic_x() ? 7 : 7 + p);
+                EXPECT_EQ(functions.size(), space->is_periodic(0) ? 7 : 7 + p);
               }
-            else if (!space->periodic_x())
+            else if (!space->is_periodic(0))
               {
                 EXPECT_EQ(functions.size(), 5 + p);
               }
@@ -321,7 +321,7 @@ TEST(SplineSpace, refinement_and_coarsening_by_flags_return_the_space)
 
 TEST(SplineSpace, refuses_two_degrees)
 {
-  EXPECT_THROW(SplineSpace(KnotVector(2, example::breakpoints(4, 1.)),
-                           KnotVector(3, example::breakpoints(4, 1.))),
+  EXPECT_THROW(SplineSpace<2>(KnotVector(2, example::breakpoints(4, 1.)),
+                              KnotVector(3, example::breakpoints(4, 1.))),
                InputError);
 }

@@ -11,9 +11,11 @@
 TEST(FilmCouplings, of_a_fraction_are_those_of_its_pressure)
 {
   using namespace asperity;
-  const SplineSpace space(KnotVector(2, {0., 0.4, 1., 1.5, 2., 3., 4.}, true),
-                          KnotVector(2, {0., 0.5, 1.}));
-  const SplineCurve tool = interpolate_periodic_function(
+  const SplineSpace<2> space(KnotVector(2,
+                                        {0., 0.4, 1., 1.5, 2., 3., 4.},
+                                        true),
+                             KnotVector(2, {0., 0.5, 1.}));
+  const SplineCurve    tool = interpolate_periodic_function(
     [](const double x) { return 1.5 + 0.2 * std::sin(M_PI * x); },
     0.,
     4.,
@@ -22,7 +24,7 @@ TEST(FilmCouplings, of_a_fraction_are_those_of_its_pressure)
   FilmTermOptions options;
   options.cells_per_span    = 2;
   const unsigned int n_chip = 2 * space.n_functions();
-  const FilmTerm     film(space, PatchGeometry(), tool, options, n_chip);
+  const FilmTerm     film(space, PatchGeometry<2>(), tool, options, n_chip);
   const unsigned int n = n_chip + film.n_unknowns();
   dealii::DynamicSparsityPattern pattern(n);
   film.add_couplings(pattern);

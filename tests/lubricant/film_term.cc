@@ -45,10 +45,10 @@ namespace
       3);
   }
 
-  PatchGeometry
-  wavy_block(const SplineSpace &space)
+  PatchGeometry<2>
+  wavy_block(const SplineSpace<2> &space)
   {
-    return PatchGeometry::from_map(space, [](const dealii::Point<2> &p) {
+    return PatchGeometry<2>::from_map(space, [](const dealii::Point<2> &p) {
       return dealii::Point<2>(p[0] + 0.1 * std::sin(M_PI * p[0]),
                               p[1] * (1. + 0.1 * std::cos(0.5 * M_PI * p[0])));
     });
@@ -161,7 +161,7 @@ namespace
         }
     }
 
-    SplineSpace        space;
+    SplineSpace<2>     space;
     const unsigned int n_chip;
   };
 
@@ -234,7 +234,7 @@ namespace
   TEST_F(Film, flat_walls_that_slide_only_shear)
   {
     const auto options = options_with(PressureLaw::none, 1.);
-    FilmTerm   film(space, PatchGeometry(), tool(1.4, 0.), options, n_chip);
+    FilmTerm   film(space, PatchGeometry<2>(), tool(1.4, 0.), options, n_chip);
     Vector     u(n_chip + film.n_unknowns()), R(u.size());
     film.initialize(u);
     film.begin_step(u, 1, 0.1, 0.1);
@@ -254,7 +254,7 @@ namespace
   TEST_F(Film, agrees_with_the_film_between_given_walls)
   {
     const auto options = options_with(PressureLaw::barus, 1.);
-    FilmTerm   film(space, PatchGeometry(), tool(1.4, 0.2), options, n_chip);
+    FilmTerm   film(space, PatchGeometry<2>(), tool(1.4, 0.2), options, n_chip);
     SprungFilm system(film, n_chip);
     Vector     u(n_chip + film.n_unknowns());
     film.initialize(u);
@@ -310,9 +310,9 @@ namespace
 
   TEST_F(Film, carries_a_lifted_chip_by_compression)
   {
-    auto         options = options_with(PressureLaw::none, 1.);
-    FilmTerm     film(space, PatchGeometry(), tool(1.4, 0.), options, n_chip);
-    SprungFilm   system(film, n_chip);
+    auto       options = options_with(PressureLaw::none, 1.);
+    FilmTerm   film(space, PatchGeometry<2>(), tool(1.4, 0.), options, n_chip);
+    SprungFilm system(film, n_chip);
     const double k = 5., P = 3.; // per area
     for (unsigned int i = 0; i < film.edge().n_cells(); ++i)
       for (const auto &[dof, area] : film.edge().area_vector(i))

@@ -18,7 +18,7 @@ namespace
     VoidBetweenWaves()
       : space(KnotVector(2, {0., 0.4, 1., 1.5, 2., 2.7, 3.2, 4.}, true),
               KnotVector(2, {0., 0.5, 1.}))
-      , geometry(PatchGeometry::from_map(
+      , geometry(PatchGeometry<2>::from_map(
           space,
           [](const dealii::Point<2> &p) {
             return dealii::Point<2>(p[0] + 0.1 * std::sin(M_PI * p[0]),
@@ -67,10 +67,10 @@ namespace
       return result;
     }
 
-    SplineSpace   space;
-    PatchGeometry geometry;
-    SplineCurve   tool;
-    Vector        u;
+    SplineSpace<2>   space;
+    PatchGeometry<2> geometry;
+    SplineCurve      tool;
+    Vector           u;
   };
 
   TEST_F(VoidBetweenWaves, stretches_add_up_to_the_period)

@@ -32,7 +32,7 @@ namespace
   /** Interleaved coefficients of a function that the space contains. */
   dealii::Vector<double>
   vector_field(
-    const SplineSpace                                                  &space,
+    const SplineSpace<2>                                               &space,
     const std::function<std::vector<double>(const dealii::Point<2> &)> &f)
   {
     const auto             coefficients = space.project(f, 2);
@@ -44,9 +44,9 @@ namespace
   }
 
   std::vector<double>
-  at_gauss_points(const SplineSpace   &space,
-                  const PatchGeometry &geometry,
-                  const unsigned int   n_gauss,
+  at_gauss_points(const SplineSpace<2>   &space,
+                  const PatchGeometry<2> &geometry,
+                  const unsigned int      n_gauss,
                   const std::function<double(const dealii::Point<2> &)> &f)
   {
     std::vector<double> values;
@@ -73,7 +73,7 @@ namespace
 // quadratic space holds the map exactly.
 TEST(ChipOutput, corners_lie_on_the_deformed_curved_geometry)
 {
-  SplineSpace space(uniform(2, 3, 3.), uniform(2, 2, 1.));
+  SplineSpace<2> space(uniform(2, 3, 3.), uniform(2, 2, 1.));
   space.refine_to_level(1,
                         [](const dealii::Point<2> &lower,
                            const dealii::Point<2> &) {
@@ -83,7 +83,7 @@ TEST(ChipOutput, corners_lie_on_the_deformed_curved_geometry)
     const double y = 1. + p[1];
     return dealii::Point<2>(p[0] + y * y / 4., y);
   };
-  const PatchGeometry geometry = PatchGeometry::from_map(space, map);
+  const PatchGeometry<2> geometry = PatchGeometry<2>::from_map(space, map);
   // u(xi, eta) = (0.1 xi eta, 0.2 xi^2): quadratic in the parameters.
   ChipFields fields;
   fields.displacement     = vector_field(space, [](const dealii::Point<2> &p) {
@@ -118,8 +118,8 @@ TEST(ChipOutput, corners_lie_on_the_deformed_curved_geometry)
 
 TEST(ChipOutput, quadrilaterals_cover_the_deformed_area_without_overlap)
 {
-  const SplineSpace space(uniform(2, 4, 2.), uniform(2, 3, 1.));
-  ChipFields        fields;
+  const SplineSpace<2> space(uniform(2, 4, 2.), uniform(2, 3, 1.));
+  ChipFields           fields;
   // A shear: area 2 stays, and straight lines stay straight.
   fields.displacement = vector_field(space, [](const dealii::Point<2> &p) {
     return std::vector<double>{0.5 * p[1], 0.};
@@ -148,8 +148,8 @@ TEST(ChipOutput, quadrilaterals_cover_the_deformed_area_without_overlap)
 
 TEST(ChipOutput, spline_fields_and_quadrature_polynomials_are_reproduced)
 {
-  const SplineSpace space(uniform(2, 3, 3.), uniform(2, 2, 1.));
-  ChipFields        fields;
+  const SplineSpace<2> space(uniform(2, 3, 3.), uniform(2, 2, 1.));
+  ChipFields           fields;
   fields.displacement.reinit(2 * space.n_functions());
   fields.spline_vectors.emplace_back(
     "velocity [m/s]", vector_field(space, [](const dealii::Point<2> &p) {
@@ -195,8 +195,8 @@ TEST(ChipOutput, spline_fields_and_quadrature_polynomials_are_reproduced)
 
 TEST(ChipOutput, quadrature_fields_stay_in_the_range_of_their_cell)
 {
-  const SplineSpace space(uniform(2, 3, 3.), uniform(2, 2, 1.));
-  ChipFields        fields;
+  const SplineSpace<2> space(uniform(2, 3, 3.), uniform(2, 2, 1.));
+  ChipFields           fields;
   fields.displacement.reinit(2 * space.n_functions());
   // A front inside the cells, which a polynomial would overshoot.
   fields.quadrature_scalars.emplace_back(
@@ -214,8 +214,8 @@ TEST(ChipOutput, quadrature_fields_stay_in_the_range_of_their_cell)
 
 TEST(ChipOutput, periods_are_drawn_side_by_side)
 {
-  const SplineSpace space(uniform(2, 5, 10e-6, true), uniform(2, 2, 5e-6));
-  ChipFields        fields;
+  const SplineSpace<2> space(uniform(2, 5, 10e-6, true), uniform(2, 2, 5e-6));
+  ChipFields           fields;
   fields.displacement.reinit(2 * space.n_functions());
   const ChipOutput output(space, {}, 2, 3);
   const auto one = written(output, fields), two = written(output, fields, 2);
@@ -230,7 +230,7 @@ TEST(ChipOutput, periods_are_drawn_side_by_side)
   EXPECT_NEAR(left, 0., 1e-11);
   EXPECT_NEAR(right, 20e-6, 1e-11);
 
-  const SplineSpace open(uniform(2, 5, 1.), uniform(2, 2, 1.));
+  const SplineSpace<2> open(uniform(2, 5, 1.), uniform(2, 2, 1.));
   fields.displacement.reinit(2 * open.n_functions());
   EXPECT_THROW(written(ChipOutput(open, {}, 2, 3), fields, 2),
                ComputationError);
@@ -240,10 +240,10 @@ TEST(ChipOutput, periods_are_drawn_side_by_side)
 
 TEST(ChipOutput, a_number_that_is_not_finite_is_refused_by_name)
 {
-  const double      nan = std::numeric_limits<double>::quiet_NaN();
-  const SplineSpace space(uniform(2, 3, 3.), uniform(2, 2, 1.));
-  const ChipOutput  output(space, {}, 2, 3);
-  ChipFields        good;
+  const double         nan = std::numeric_limits<double>::quiet_NaN();
+  const SplineSpace<2> space(uniform(2, 3, 3.), uniform(2, 2, 1.));
+  const ChipOutput     output(space, {}, 2, 3);
+  ChipFields           good;
   good.displacement.reinit(2 * space.n_functions());
   good.quadrature_scalars.emplace_back(
     "von Mises stress [Pa]",
@@ -275,9 +275,9 @@ TEST(ChipOutput, a_number_that_is_not_finite_is_refused_by_name)
 
 TEST(ChipOutput, fields_of_another_length_are_refused_by_name)
 {
-  const SplineSpace space(uniform(2, 3, 3.), uniform(2, 2, 1.));
-  const ChipOutput  output(space, {}, 2, 3);
-  ChipFields        fields;
+  const SplineSpace<2> space(uniform(2, 3, 3.), uniform(2, 2, 1.));
+  const ChipOutput     output(space, {}, 2, 3);
+  ChipFields           fields;
   fields.displacement.reinit(2 * space.n_functions() - 1);
   EXPECT_THROW(written(output, fields), ComputationError);
   fields.displacement.reinit(2 * space.n_functions());

@@ -50,8 +50,8 @@ namespace
       x.push_back(length * i / 80);
     for (unsigned int j = 0; j <= 8; ++j)
       y.push_back(height * (1. - std::pow(1. - j / 8., 1.5)));
-    const SplineSpace space(KnotVector(2, x, true), KnotVector(2, y));
-    const auto        u = space.project(
+    const SplineSpace<2> space(KnotVector(2, x, true), KnotVector(2, y));
+    const auto           u = space.project(
       [&](const dealii::Point<2> &X) { return displacement(X, distance); }, 2);
 
     ChipFields fields;

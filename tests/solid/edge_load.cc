@@ -6,7 +6,7 @@ namespace
 {
   using namespace loaded_solid;
 
-  std::shared_ptr<SplineSpace>
+  std::shared_ptr<SplineSpace<2>>
   refined_space(const unsigned int degree)
   {
     auto space = make_space(degree, equal_spans(4), equal_spans(3));
@@ -35,11 +35,12 @@ TEST(EdgeLoad, follower_tangent_is_the_derivative_of_its_force)
   for (const auto kinematics :
        {Kinematics::plane_strain, Kinematics::axisymmetric})
     for (unsigned int degree = 1; degree <= 3; ++degree)
-      for (const Edge edge : all_edges)
+      for (const Edge edge : four_edges)
         {
-          const auto space    = refined_space(degree);
-          const auto geometry = PatchGeometry::from_map(*space, bent_rectangle);
-          EdgeLoad   load     = EdgeLoad::follower_pressure(
+          const auto space = refined_space(degree);
+          const auto geometry =
+            PatchGeometry<2>::from_map(*space, bent_rectangle);
+          EdgeLoad load = EdgeLoad::follower_pressure(
             *space, geometry, edge, uneven, kinematics);
           load.set_factor(0.7);
           const unsigned int n         = 2 * space->n_functions();
@@ -56,10 +57,10 @@ TEST(EdgeLoad, follower_tangent_is_the_derivative_of_its_force)
 TEST(EdgeLoad, uniform_pressure_all_around_has_no_resultant)
 {
   const auto   space    = refined_space(3);
-  const auto   geometry = PatchGeometry::from_map(*space, bent_rectangle);
+  const auto   geometry = PatchGeometry<2>::from_map(*space, bent_rectangle);
   const Vector u        = random_vector(2 * space->n_functions(), 0.05);
   Vector       R(u.size());
-  for (const Edge edge : all_edges)
+  for (const Edge edge : four_edges)
     EdgeLoad::follower_pressure(*space, geometry, edge, [](const Point<2> &) {
       return 5.;
     }).add(u, R, nullptr);
@@ -72,7 +73,7 @@ TEST(EdgeLoad, pressure_force_is_that_of_the_chord_of_the_deformed_edge)
 {
   // The resultant of a uniform pressure on any curve is that on its chord.
   const auto space    = refined_space(2);
-  const auto geometry = PatchGeometry::from_map(*space, bent_rectangle);
+  const auto geometry = PatchGeometry<2>::from_map(*space, bent_rectangle);
   Body       body(space, bent_rectangle, MaterialParameters().make_law());
   body.u = random_vector(2 * space->n_functions(), 0.1);
   Vector R(body.u.size());
@@ -95,11 +96,12 @@ TEST(EdgeLoad, pressure_force_is_that_of_the_chord_of_the_deformed_edge)
 
 TEST(EdgeLoad, axial_pressure_on_a_ring_acts_on_its_deformed_area)
 {
-  const auto space    = refined_space(2);
-  const auto geometry = PatchGeometry::from_map(*space, [](const Point<2> &xi) {
-    return Point<2>(1. + 2. * xi[0], xi[1]);
-  });
-  EdgeLoad   load     = EdgeLoad::follower_pressure(
+  const auto space = refined_space(2);
+  const auto geometry =
+    PatchGeometry<2>::from_map(*space, [](const Point<2> &xi) {
+      return Point<2>(1. + 2. * xi[0], xi[1]);
+    });
+  EdgeLoad load = EdgeLoad::follower_pressure(
     *space,
     geometry,
     Edge::top,
@@ -118,11 +120,12 @@ TEST(EdgeLoad, axial_pressure_on_a_ring_acts_on_its_deformed_area)
 
 TEST(EdgeLoad, dead_traction_sums_to_its_integral_whatever_the_deformation)
 {
-  const auto space    = refined_space(2);
-  const auto geometry = PatchGeometry::from_map(*space, [](const Point<2> &xi) {
-    return Point<2>(1. + 2. * xi[0], xi[1]);
-  });
-  const auto linear   = [](const Point<2> &X, const Tensor<1, 2> &N) {
+  const auto space = refined_space(2);
+  const auto geometry =
+    PatchGeometry<2>::from_map(*space, [](const Point<2> &xi) {
+      return Point<2>(1. + 2. * xi[0], xi[1]);
+    });
+  const auto linear = [](const Point<2> &X, const Tensor<1, 2> &N) {
     Tensor<1, 2> t;
     t[0] = X[0];
     t[1] = 3. * N[1];

@@ -45,19 +45,19 @@ namespace loaded_solid
     return t;
   }
 
-  inline std::shared_ptr<SplineSpace>
+  inline std::shared_ptr<SplineSpace<2>>
   make_space(const unsigned int         degree,
              const std::vector<double> &x,
              const std::vector<double> &y)
   {
-    return std::make_shared<SplineSpace>(KnotVector(degree, x),
-                                         KnotVector(degree, y));
+    return std::make_shared<SplineSpace<2>>(KnotVector(degree, x),
+                                            KnotVector(degree, y));
   }
 
-  constexpr Edge all_edges[] = {Edge::left,
-                                Edge::right,
-                                Edge::bottom,
-                                Edge::top};
+  constexpr Edge four_edges[] = {Edge::left,
+                                 Edge::right,
+                                 Edge::bottom,
+                                 Edge::top};
 
   /** A curved patch away from the axis, with corners (1, 0) and (3, 1) before
    *  its bends. */
@@ -95,13 +95,13 @@ namespace loaded_solid
   public:
     using Map = std::function<Point<2>(const Point<2> &)>;
 
-    Body(const std::shared_ptr<SplineSpace>       &space,
+    Body(const std::shared_ptr<SplineSpace<2>>    &space,
          const Map                                &map,
          const std::shared_ptr<const MaterialLaw> &law,
          const Kinematics   kinematics   = Kinematics::plane_strain,
          const unsigned int n_quadrature = 0)
       : space(space)
-      , geometry(PatchGeometry::from_map(*space, map))
+      , geometry(PatchGeometry<2>::from_map(*space, map))
       , kinematics(kinematics)
       , solid(space, geometry, law, kinematics, n_quadrature)
       , u(2 * space->n_functions())
@@ -113,7 +113,7 @@ namespace loaded_solid
     prescribe(const Edge edge, const unsigned int component)
     {
       for (const unsigned int a : space->edge_functions(edge))
-        constraints.add_line(displacement_dof(a, component));
+        constraints.add_line(displacement_dof<2>(a, component));
     }
 
     void
@@ -215,8 +215,8 @@ namespace loaded_solid
       return value;
     }
 
-    std::shared_ptr<SplineSpace>           space;
-    PatchGeometry                          geometry;
+    std::shared_ptr<SplineSpace<2>>        space;
+    PatchGeometry<2>                       geometry;
     Kinematics                             kinematics;
     SolidAssembler                         solid;
     std::vector<std::unique_ptr<EdgeLoad>> edge_loads;
@@ -234,10 +234,10 @@ namespace loaded_solid
                  const std::function<Tensor<1, 2>(const Point<2> &)> &force,
                  Vector                                              &external)
   {
-    const BasisTable &table = solid.table();
+    const BasisTable<2> &table = solid.table();
     for (const auto &entry : table.elements)
       {
-        const ElementView element(table, entry);
+        const ElementView<2> element(table, entry);
         for (unsigned int q = 0; q < table.points_per_element; ++q)
           element.add_force(q,
                             element.JxW(q) *
@@ -248,10 +248,10 @@ namespace loaded_solid
 
   /** Adds the gradient of a displacement to G [-]. */
   inline void
-  add_gradient(const ElementView &element,
-               const unsigned int q,
-               const Vector      &u,
-               Tensor<2, 2>      &G)
+  add_gradient(const ElementView<2> &element,
+               const unsigned int    q,
+               const Vector         &u,
+               Tensor<2, 2>         &G)
   {
     for (unsigned int a = 0; a < element.n_functions(); ++a)
       for (unsigned int c = 0; c < 2; ++c)

@@ -95,14 +95,14 @@ namespace
   Errors
   errors(const Body &body)
   {
-    const BasisTable table =
+    const BasisTable<2> table =
       tabulate_cells(*body.space,
                      body.geometry,
                      dealii::QGauss<2>(body.space->degree() + 3));
     Errors e;
     for (const auto &entry : table.elements)
       {
-        const ElementView element(table, entry);
+        const ElementView<2> element(table, entry);
         for (unsigned int q = 0; q < table.points_per_element; ++q)
           {
             const Point<2> X = table.position[element.point(q)];

@@ -15,12 +15,12 @@ namespace
 {
   const dealii::QGauss<2> quadrature(2);
 
-  SplineSpace
+  SplineSpace<2>
   unit_square()
   {
     const std::vector<double> knots = {
       0., .125, .25, .375, .5, .625, .75, .875, 1.};
-    return SplineSpace(KnotVector(2, knots, true), KnotVector(2, knots));
+    return SplineSpace<2>(KnotVector(2, knots, true), KnotVector(2, knots));
   }
 
   bool
@@ -32,7 +32,7 @@ namespace
   /** States with a front of plastic strain, isochoric in the plane and across
    *  it: exp of a trace-free tensor. */
   std::vector<MaterialState>
-  states_of(const SplineSpace &space)
+  states_of(const SplineSpace<2> &space)
   {
     std::vector<MaterialState> states;
     for (const auto &x : tabulate_cells(space, {}, quadrature).parameter)
@@ -50,7 +50,7 @@ namespace
   }
 
   double
-  integral_of_strain(const SplineSpace                &space,
+  integral_of_strain(const SplineSpace<2>             &space,
                      const std::vector<MaterialState> &states)
   {
     const auto table = tabulate_cells(space, {}, quadrature);
@@ -63,7 +63,7 @@ namespace
 
 TEST(StateTransfer, keeps_bounds_integrals_and_a_determinant_of_one)
 {
-  SplineSpace space = unit_square();
+  SplineSpace<2> space = unit_square();
   for (const bool coarsen : {false, true})
     {
       const auto from   = space.hierarchy();
@@ -93,9 +93,9 @@ TEST(StateTransfer, keeps_bounds_integrals_and_a_determinant_of_one)
 
 TEST(StateTransfer, cells_of_both_meshes_keep_their_states_bit_by_bit)
 {
-  SplineSpace space  = unit_square();
-  const auto  from   = space.hierarchy();
-  const auto  before = states_of(space);
+  SplineSpace<2> space  = unit_square();
+  const auto     from   = space.hierarchy();
+  const auto     before = states_of(space);
   space.refine_to_level(1, in_the_corner);
   const auto   to     = space.hierarchy();
   const auto   after  = transfer_states(*from, *to, quadrature, before);

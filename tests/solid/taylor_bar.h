@@ -74,11 +74,11 @@ namespace loaded_solid
     const Point<2>                                     &parameter,
     const std::function<double(const MaterialState &)> &quantity)
   {
-    const SplineSpace &space   = solid.space();
-    const unsigned int cell    = space.find_cell(parameter);
-    const auto         box     = space.cell_box(cell);
-    const auto        &element = solid.table().elements[cell];
-    const unsigned int n =
+    const SplineSpace<2> &space   = solid.space();
+    const unsigned int    cell    = space.find_cell(parameter);
+    const auto            box     = space.cell_box(cell);
+    const auto           &element = solid.table().elements[cell];
+    const unsigned int    n =
       std::lround(std::sqrt(solid.table().points_per_element));
     const dealii::QGauss<1> gauss(n);
     const auto lagrange = [&](const unsigned int i, const unsigned int d) {

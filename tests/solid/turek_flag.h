@@ -63,12 +63,12 @@ namespace loaded_solid
   inline double
   stored_energy(const Body &flag)
   {
-    const double      mu = 0.5e6, lambda = 2. * mu * 0.4 / (1. - 2. * 0.4);
-    const BasisTable &table  = flag.solid.table();
-    double            energy = 0.;
+    const double         mu = 0.5e6, lambda = 2. * mu * 0.4 / (1. - 2. * 0.4);
+    const BasisTable<2> &table  = flag.solid.table();
+    double               energy = 0.;
     for (const auto &entry : table.elements)
       {
-        const ElementView element(table, entry);
+        const ElementView<2> element(table, entry);
         for (unsigned int q = 0; q < table.points_per_element; ++q)
           {
             Tensor<2, 2> F;

@@ -73,11 +73,11 @@ namespace asperity
   class ContactAssembler : public ForceTerm
   {
   public:
-    ContactAssembler(std::shared_ptr<const SplineSpace>   space,
-                     const PatchGeometry                 &geometry,
-                     const Edge                           edge,
-                     std::shared_ptr<const RigidObstacle> obstacle,
-                     const ContactOptions                &options);
+    ContactAssembler(std::shared_ptr<const SplineSpace<2>> space,
+                     const PatchGeometry<2>               &geometry,
+                     const Edge                            edge,
+                     std::shared_ptr<const RigidObstacle>  obstacle,
+                     const ContactOptions                 &options);
 
     ContactAssembler(const ContactAssembler &) = delete;
     ContactAssembler &
@@ -123,7 +123,7 @@ namespace asperity
     state() const;
 
     /** Edge quadrature points; the arrays below follow its numbering. */
-    const BasisTable &
+    const BasisTable<2> &
     table() const;
 
     const std::vector<double> &
@@ -177,16 +177,16 @@ namespace asperity
     add_shear(dealii::Vector<double>       &residual,
               dealii::SparseMatrix<double> *tangent);
 
-    std::shared_ptr<const SplineSpace>   space;
-    std::shared_ptr<const RigidObstacle> obstacle;
-    ContactOptions                       options_;
-    ContactPressureLaw                   law;
-    BasisTable                           table_;
-    TractionSpace                        tractions;
-    std::optional<ShearTraction>         shear_;
-    dealii::SparsityPattern              shear_couplings;
-    dealii::SparseMatrix<double>         shear_tangent; ///< not symmetric
-    dealii::Tensor<1, 2>                 offset;
+    std::shared_ptr<const SplineSpace<2>> space;
+    std::shared_ptr<const RigidObstacle>  obstacle;
+    ContactOptions                        options_;
+    ContactPressureLaw                    law;
+    BasisTable<2>                         table_;
+    TractionSpace                         tractions;
+    std::optional<ShearTraction>          shear_;
+    dealii::SparsityPattern               shear_couplings;
+    dealii::SparseMatrix<double>          shear_tangent; ///< not symmetric
+    dealii::Tensor<1, 2>                  offset;
 
     std::vector<double>           multiplier;
     std::vector<double>           hint;

@@ -49,7 +49,7 @@ namespace asperity
     /** @param penalty epsilon of the pressure [Pa/m]
      *  @param tractions, table must outlive this object */
     ShearTraction(const TractionSpace       &tractions,
-                  const BasisTable          &table,
+                  const BasisTable<2>       &table,
                   const InterfaceParameters &parameters,
                   const double               penalty);
 
@@ -125,7 +125,7 @@ namespace asperity
     return_map(const std::vector<ContactPressure> &pressures);
 
     const TractionSpace &tractions;
-    const BasisTable    &table;
+    const BasisTable<2> &table;
     InterfaceLaw         law;
     double               penalty;    ///< epsilon_t [Pa/m]
     double               transition; ///< delta [m]

@@ -10,6 +10,7 @@
 
 namespace asperity
 {
+  template <int dim>
   class SplineSpace;
 
   enum class ContactFormulation
@@ -31,8 +32,8 @@ namespace asperity
     using Vectors = std::vector<dealii::Tensor<1, 2>>;
 
     /** @param table of the edge, which must outlive this object */
-    TractionSpace(const SplineSpace       &space,
-                  const BasisTable        &table,
+    TractionSpace(const SplineSpace<2>    &space,
+                  const BasisTable<2>     &table,
                   const Edge               edge,
                   const ContactFormulation formulation);
 
@@ -96,8 +97,8 @@ namespace asperity
     void
     for_each_value(const Action &action) const;
 
-    ContactFormulation formulation_;
-    const BasisTable  &table;
+    ContactFormulation   formulation_;
+    const BasisTable<2> &table;
 
     std::vector<unsigned int> edge_functions; ///< edge index -> function
     std::vector<std::vector<unsigned int>> element_functions; ///< edge indices

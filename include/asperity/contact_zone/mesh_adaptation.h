@@ -73,7 +73,7 @@ namespace asperity
     is_needed(const double time, const double approach) const;
 
     /** The level that a cell should have for the whole of it; as above. */
-    SplineSpace::CellLevel
+    SplineSpace<2>::CellLevel
     wanted(const double time, const double approach) const;
 
   private:
@@ -85,7 +85,7 @@ namespace asperity
              const double distance) const;
 
     /** For cells beside points of the edge. */
-    SplineSpace::CellLevel
+    SplineSpace<2>::CellLevel
     level_beside(const std::vector<double> &points, const double halo) const;
 
     const SceneParameters &parameters;

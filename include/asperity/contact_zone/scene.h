@@ -93,15 +93,15 @@ namespace asperity
      * @return whether the mesh has changed
      */
     bool
-    adapt_mesh(const SceneParameters        &parameters,
-               const SplineSpace::CellLevel &wanted);
+    adapt_mesh(const SceneParameters           &parameters,
+               const SplineSpace<2>::CellLevel &wanted);
 
     double length; ///< period L [m]
 
     Surface                            tool_surface, chip_surface;
     OilInGap                           oil;
-    std::shared_ptr<SplineSpace>       space;
-    PatchGeometry                      geometry;
+    std::shared_ptr<SplineSpace<2>>    space;
+    PatchGeometry<2>                   geometry;
     std::shared_ptr<const MaterialLaw> law;
     std::shared_ptr<RigidObstacle>     tool;
     std::unique_ptr<SolidAssembler>    chip;

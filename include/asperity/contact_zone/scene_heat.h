@@ -52,8 +52,8 @@ namespace asperity
 
     /** The references must outlive this object. */
     SceneHeat(const SceneParameters  &parameters,
-              const SplineSpace      &space,
-              const PatchGeometry    &geometry,
+              const SplineSpace<2>   &space,
+              const PatchGeometry<2> &geometry,
               const double            period,
               SolidAssembler         &chip,
               const ContactAssembler &contact);

@@ -69,13 +69,13 @@ namespace asperity
                        const unsigned int            step,
                        const double                  time);
 
-    const SceneParameters                 &parameters;
-    const InputRecord                     &inputs;
-    const Scene                           &scene;
-    FrictionTable                          table;
-    std::optional<ChipOutput>              chip_output; ///< of the mesh below
-    std::shared_ptr<const SplineHierarchy> drawn_mesh;
-    VtuSeries                              chip, tool, contact_line;
+    const SceneParameters    &parameters;
+    const InputRecord        &inputs;
+    const Scene              &scene;
+    FrictionTable             table;
+    std::optional<ChipOutput> chip_output; ///< of the mesh below
+    std::shared_ptr<const SplineHierarchy<2>> drawn_mesh;
+    VtuSeries                                 chip, tool, contact_line;
     std::unique_ptr<VtuSeries> oil; ///< of an oil that fills the gap
     CheckpointFolder           checkpoints;
     unsigned int               last_picture = 0;

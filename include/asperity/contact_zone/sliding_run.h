@@ -154,7 +154,7 @@ namespace asperity
     /** To the start of the accepted step, on the present mesh.
      *  @param before of the state */
     void
-    go_back(const StepStart &start, const SplineHierarchy &before);
+    go_back(const StepStart &start, const SplineHierarchy<2> &before);
 
     /** mu of the last evaluated displacement. */
     double

@@ -18,9 +18,9 @@ namespace asperity
     /** @param body table of its cells, periodic along the edge
      *  @param edge table of its top edge, of the same space
      *  @param period of the first parameter */
-    SurfaceLayer(const BasisTable &body,
-                 const BasisTable &edge,
-                 const double      period);
+    SurfaceLayer(const BasisTable<2> &body,
+                 const BasisTable<2> &edge,
+                 const double         period);
 
     /** What the edge sees of the body. */
     struct Point
@@ -47,7 +47,7 @@ namespace asperity
     };
 
     static std::vector<Column>
-    columns_under(const BasisTable &body, const BasisTable &edge);
+    columns_under(const BasisTable<2> &body, const BasisTable<2> &edge);
 
     Point
     at_top(const std::vector<MaterialState> &history,

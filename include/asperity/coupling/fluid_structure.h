@@ -25,9 +25,9 @@ namespace asperity
   /** The elastic body of a FluidStructure: a patch and where it is held. */
   struct SplineBody
   {
-    std::shared_ptr<const SplineSpace> space;
-    PatchGeometry                      geometry;
-    std::shared_ptr<const MaterialLaw> law;
+    std::shared_ptr<const SplineSpace<2>> space;
+    PatchGeometry<2>                      geometry;
+    std::shared_ptr<const MaterialLaw>    law;
 
     std::vector<Edge> clamped;   ///< edges that do not move
     std::vector<Edge> held_in_y; ///< edges that move along x only

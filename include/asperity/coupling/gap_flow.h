@@ -123,10 +123,10 @@ namespace asperity
 
     /** @param tool a graph whose parameter is x, with the period of the chip
      *  @throws InputError if the gap cannot be meshed */
-    GapFlow(const SplineSpace    &space,
-            const PatchGeometry  &geometry,
-            const SplineCurve    &tool,
-            const GapFlowOptions &options);
+    GapFlow(const SplineSpace<2>   &space,
+            const PatchGeometry<2> &geometry,
+            const SplineCurve      &tool,
+            const GapFlowOptions   &options);
 
     // The coupled step
 
@@ -328,12 +328,12 @@ namespace asperity
     std::pair<dealii::Tensor<1, 2>, double>
     integrate_pressure() const;
 
-    const bool          inertia; ///< of the oil
-    const PatchGeometry geometry;
-    const EdgeTrace     edge;
-    double              length;
-    Vector              chip; ///< displacement
-    ColumnMesh          mesh_;
+    const bool             inertia; ///< of the oil
+    const PatchGeometry<2> geometry;
+    const EdgeTrace        edge;
+    double                 length;
+    Vector                 chip; ///< displacement
+    ColumnMesh             mesh_;
 
     /** If that is the mesh update; displacements from elastic_start. */
     std::unique_ptr<ElasticMeshUpdate> elastic;

@@ -23,8 +23,8 @@ namespace asperity
    * @throws InputError if a position is farther away from all edges
    */
   std::vector<EdgePoint>
-  find_on_edges(const SplineSpace                   &space,
-                const PatchGeometry                 &geometry,
+  find_on_edges(const SplineSpace<2>                &space,
+                const PatchGeometry<2>              &geometry,
                 const std::vector<Edge>             &edges,
                 const std::vector<dealii::Point<2>> &positions,
                 const double                         tolerance);
@@ -55,8 +55,8 @@ namespace asperity
   public:
     using Vector = dealii::Vector<double>;
 
-    Interface(const SplineSpace            &space,
-              const PatchGeometry          &geometry,
+    Interface(const SplineSpace<2>         &space,
+              const PatchGeometry<2>       &geometry,
               const std::vector<EdgePoint> &points);
 
     unsigned int

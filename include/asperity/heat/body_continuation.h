@@ -35,7 +35,7 @@ namespace asperity
 
     /** @param edge its table may go, and has the length `period`
      *  @param n_waves see FourierBasis; 0: the mean temperature alone */
-    BodyContinuation(const BasisTable        &edge,
+    BodyContinuation(const BasisTable<2>     &edge,
                      const ThermalProperties &material,
                      const double             period,
                      const unsigned int       n_waves);

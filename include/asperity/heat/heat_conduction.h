@@ -45,15 +45,15 @@ namespace asperity
      * @param n_functions of the space
      * @param material its density is that of the reference
      */
-    HeatConduction(const BasisTable        &cells,
+    HeatConduction(const BasisTable<2>     &cells,
                    const unsigned int       n_functions,
                    const ThermalProperties &material);
 
     /** Lets the body go on beyond an edge, see BodyContinuation. */
     void
-    continue_beyond(const BasisTable  &edge,
-                    const double       period,
-                    const unsigned int n_waves);
+    continue_beyond(const BasisTable<2> &edge,
+                    const double         period,
+                    const unsigned int   n_waves);
 
     /**
      * Begins a step, or begins it anew.
@@ -117,7 +117,7 @@ namespace asperity
     void
     assemble_conductance(const Vector &u);
 
-    const BasisTable               &cells;
+    const BasisTable<2>            &cells;
     ThermalProperties               material;
     std::optional<BodyContinuation> continuation;
 

@@ -10,13 +10,13 @@ namespace asperity
   /** Values of a scalar spline at the points of a table.
    *  @param coefficients by function */
   dealii::Vector<double>
-  values_at_points(const BasisTable             &table,
+  values_at_points(const BasisTable<2>          &table,
                    const dealii::Vector<double> &coefficients);
 
   /** The transposed: result_a += sum_q N_a(q) value_q. With heat by point
    *  [W/m] it adds the power by function. */
   void
-  add_point_values(const BasisTable             &table,
+  add_point_values(const BasisTable<2>          &table,
                    const dealii::Vector<double> &values,
                    dealii::Vector<double>       &result);
 } // namespace asperity

@@ -55,7 +55,7 @@ namespace asperity
      * @param offset temperature of the tool far away minus that of the chip at
      *   the start [K]
      */
-    ThermalContact(const BasisTable        &edge,
+    ThermalContact(const BasisTable<2>     &edge,
                    const ThermalProperties &tool,
                    const double             period,
                    const unsigned int       n_waves,
@@ -101,9 +101,9 @@ namespace asperity
     load(InputArchive &archive);
 
   private:
-    const BasisTable &edge;
-    PeriodicHalfSpace tool;
-    double            offset;
+    const BasisTable<2> &edge;
+    PeriodicHalfSpace    tool;
+    double               offset;
   };
 } // namespace asperity
 

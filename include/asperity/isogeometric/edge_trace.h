@@ -21,7 +21,7 @@ namespace asperity
   class EdgeTrace
   {
   public:
-    EdgeTrace(const SplineHierarchy &hierarchy, const Edge edge);
+    EdgeTrace(const SplineHierarchy<2> &hierarchy, const Edge edge);
 
     /** Knots of the trace, in the parameter along the edge. */
     const KnotVector &
@@ -37,8 +37,8 @@ namespace asperity
     apply(const std::vector<double> &coefficients) const;
 
     /**
-     * The edge X(t) of the patch as a curve; if the space is periodic in x, and
-     * for the bottom and the top, it goes on beyond the period.
+     * The edge X(t) of the patch as a curve; in a periodic direction it goes on
+     * beyond the period.
      * @param offset as PatchGeometry::offset: that of the reference geometry,
      *   or this plus the displacement coefficients for the deformed edge;
      *   empty for the identity

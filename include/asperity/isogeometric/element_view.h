@@ -12,10 +12,12 @@ namespace asperity
    * members are pointers, so that a loop over it costs what one over arrays
    * costs.
    */
+  template <int dim>
   class ElementView
   {
   public:
-    ElementView(const BasisTable &table, const BasisTable::Element &element)
+    ElementView(const BasisTable<dim>                   &table,
+                const typename BasisTable<dim>::Element &element)
       : n_functions_(element.functions.size())
       , first_point(element.first_point)
       , functions(element.functions.data())
@@ -42,7 +44,7 @@ namespace asperity
     unsigned int
     dof(const unsigned int a, const unsigned int component) const
     {
-      return displacement_dof(functions[a], component);
+      return displacement_dof<dim>(functions[a], component);
     }
 
     /** Index of a point in the arrays of the table. */
@@ -60,15 +62,16 @@ namespace asperity
     }
 
     /** Gradient of N_a with respect to the reference position [1/m]; in the
-     *  table of an edge its components are along the edge and along the
-     *  outward normal. */
-    const dealii::Tensor<1, 2> &
+     *  table of an edge its components are along the tangents and along
+     *  the outward normal. */
+    const dealii::Tensor<1, dim> &
     gradient(const unsigned int q, const unsigned int a) const
     {
       return gradients[q * n_functions_ + a];
     }
 
-    /** Weight of a point times the reference measure [m^2, edges: m]. */
+    /** Weight of a point times the reference measure [m^dim, edges:
+     *  m^(dim - 1)]. */
     double
     JxW(const unsigned int q) const
     {
@@ -81,43 +84,45 @@ namespace asperity
     void
     add_displacement(const unsigned int            q,
                      const dealii::Vector<double> &u,
-                     dealii::Tensor<1, 2>         &x) const
+                     dealii::Tensor<1, dim>       &x) const
     {
       for (unsigned int a = 0; a < n_functions_; ++a)
-        for (unsigned int c = 0; c < 2; ++c)
+        for (unsigned int c = 0; c < dim; ++c)
           x[c] += N(q, a) * u(dof(a, c));
     }
 
-    /** t += sum_a dN_a/dS u_a on the table of an edge, S its reference arc
-     *  length: from the reference tangent it gives the current one. */
+    /** t += sum_a dN_a/dS u_a on the table of an edge, S the reference arc
+     *  length along one of its tangents: from this reference tangent it gives
+     *  the current one. */
     void
     add_stretch(const unsigned int            q,
                 const dealii::Vector<double> &u,
-                dealii::Tensor<1, 2>         &t) const
+                dealii::Tensor<1, dim>       &t,
+                const unsigned int            direction = 0) const
     {
       for (unsigned int a = 0; a < n_functions_; ++a)
-        for (unsigned int c = 0; c < 2; ++c)
-          t[c] += gradient(q, a)[0] * u(dof(a, c));
+        for (unsigned int c = 0; c < dim; ++c)
+          t[c] += gradient(q, a)[direction] * u(dof(a, c));
     }
 
     /** r_a += N_a f: nodal loads of a force at a point [N/m or N]. */
     void
-    add_force(const unsigned int          q,
-              const dealii::Tensor<1, 2> &f,
-              dealii::Vector<double>     &r) const
+    add_force(const unsigned int            q,
+              const dealii::Tensor<1, dim> &f,
+              dealii::Vector<double>       &r) const
     {
       for (unsigned int a = 0; a < n_functions_; ++a)
-        for (unsigned int c = 0; c < 2; ++c)
+        for (unsigned int c = 0; c < dim; ++c)
           r(dof(a, c)) += N(q, a) * f[c];
     }
 
   private:
-    unsigned int                n_functions_;
-    unsigned int                first_point;
-    const unsigned int         *functions;
-    const double               *values;
-    const dealii::Tensor<1, 2> *gradients;
-    const double               *weights;
+    unsigned int                  n_functions_;
+    unsigned int                  first_point;
+    const unsigned int           *functions;
+    const double                 *values;
+    const dealii::Tensor<1, dim> *gradients;
+    const double                 *weights;
   };
 } // namespace asperity
 

@@ -11,10 +11,11 @@ namespace asperity
 {
   /** Index of a displacement component of a function among the unknowns of a
    *  spline space: components are interleaved. */
-  inline unsigned int
+  template <int dim>
+  constexpr unsigned int
   displacement_dof(const unsigned int function, const unsigned int component)
   {
-    return 2 * function + component;
+    return dim * function + component;
   }
 
 
@@ -30,7 +31,8 @@ namespace asperity
    * One contribution to the residual of a displacement field u on a spline
    * space. Component c of function a has index displacement_dof(a, c), and u
    * counts from the reference configuration [m]. The residual is internal minus
-   * external force [N/m in plane strain, N in axisymmetry]. Solids, contact and
+   * external force [N/m in plane strain, N in axisymmetry and in three
+   * dimensions]. Solids, contact and
    * loads are all of this kind, so none needs to know the others.
    */
   class ForceTerm

@@ -13,26 +13,30 @@
 namespace asperity
 {
   /** Bernstein polynomials of the unit cell that do not vanish on one of its
-   *  edges, in order along it. */
+   *  edges, in order along it (the first direction fastest). */
+  template <int dim>
   std::vector<unsigned int>
   edge_bernstein(const unsigned int degree, const Edge edge);
 
   /** Rows of cell_extraction(cell) of functions that do not vanish on an edge
    *  of the cell. */
+  template <int dim>
   std::vector<unsigned int>
-  trace_rows(const SplineHierarchy &hierarchy,
-             const unsigned int     cell,
-             const Edge             edge);
+  trace_rows(const SplineHierarchy<dim> &hierarchy,
+             const unsigned int          cell,
+             const Edge                  edge);
 
-  /** Active cells with a face on an edge of the parameter rectangle, sorted
-   *  along it. */
+  /** Active cells with a face on an edge of the parameter box, sorted by
+   *  their first corners along it, in three dimensions row by row. */
+  template <int dim>
   std::vector<unsigned int>
-  edge_cells(const SplineHierarchy &hierarchy, const Edge edge);
+  edge_cells(const SplineHierarchy<dim> &hierarchy, const Edge edge);
 
-  /** The edges that bound the domain: bottom and top, and if x is not periodic
-   *  left and right. */
+  /** The edges that bound the domain: those of the directions that are not
+   *  periodic. */
+  template <int dim>
   std::vector<Edge>
-  boundary_edges(const SplineHierarchy &hierarchy);
+  boundary_edges(const SplineHierarchy<dim> &hierarchy);
 
   /** Integrals of products of Bernstein polynomials over [0, 1]:
    *  G(a, b) = C(p, a) C(p, b) / (C(2 p, a + b) (2 p + 1)). */
@@ -44,15 +48,16 @@ namespace asperity
    * cell's width normal to the edge times the L2 product on the edge, may be
    * added.
    */
+  template <int dim>
   class L2Projection
   {
   public:
-    L2Projection(const SplineHierarchy &hierarchy,
-                 const double           edge_weight = 0.);
+    L2Projection(const SplineHierarchy<dim> &hierarchy,
+                 const double                edge_weight = 0.);
 
     /** The matrix of products, without factorisation; small spaces only. */
     static dealii::FullMatrix<double>
-    gramian(const SplineHierarchy &hierarchy);
+    gramian(const SplineHierarchy<dim> &hierarchy);
 
     /** From the products of functions with the function to be projected to its
      *  coefficients. */

@@ -13,6 +13,7 @@
 
 namespace asperity
 {
+  template <int dim>
   class L2Projection;
 
   /**
@@ -20,8 +21,8 @@ namespace asperity
    *
    *     const auto before = space.hierarchy();
    *     space.execute_refinement();
-   *     const SpaceTransfer transfer(*before, *space.hierarchy());
-   *     u = transfer.apply(u, 2);
+   *     const SpaceTransfer<dim> transfer(*before, *space.hierarchy());
+   *     u = transfer.apply(u, dim);
    *
    * If the old space is part of the new one (no cell was coarsened) the spline
    * stays the same: each coefficient is read off one cell with the dual
@@ -29,10 +30,12 @@ namespace asperity
    * is the L2 projection in the parameters, integrated exactly on the common
    * refinement of both meshes.
    */
+  template <int dim>
   class SpaceTransfer
   {
   public:
-    SpaceTransfer(const SplineHierarchy &from, const SplineHierarchy &to);
+    SpaceTransfer(const SplineHierarchy<dim> &from,
+                  const SplineHierarchy<dim> &to);
 
     ~SpaceTransfer();
 
@@ -46,8 +49,8 @@ namespace asperity
           const unsigned int         n_components = 1) const;
 
     /** The geometry in the new space. */
-    PatchGeometry
-    apply(const PatchGeometry &geometry) const;
+    PatchGeometry<dim>
+    apply(const PatchGeometry<dim> &geometry) const;
 
   private:
     /** Products of new and old functions on one cell. */
@@ -59,10 +62,12 @@ namespace asperity
     };
 
     void
-    build_exact(const SplineHierarchy &from, const SplineHierarchy &to);
+    build_exact(const SplineHierarchy<dim> &from,
+                const SplineHierarchy<dim> &to);
 
     void
-    build_projection(const SplineHierarchy &from, const SplineHierarchy &to);
+    build_projection(const SplineHierarchy<dim> &from,
+                     const SplineHierarchy<dim> &to);
 
     bool         exact           = false;
     unsigned int n_old_functions = 0;
@@ -71,13 +76,15 @@ namespace asperity
     /** Exact transfer: old function and weight for each new function. */
     std::vector<std::vector<std::pair<unsigned int, double>>> weights;
 
-    std::vector<Products>         products;
-    std::unique_ptr<L2Projection> projection;
+    std::vector<Products>              products;
+    std::unique_ptr<L2Projection<dim>> projection;
   };
 
   /** Whether every cell of `coarse` exists in `fine`, refined or not. */
+  template <int dim>
   bool
-  is_refinement(const SplineHierarchy &coarse, const SplineHierarchy &fine);
+  is_refinement(const SplineHierarchy<dim> &coarse,
+                const SplineHierarchy<dim> &fine);
 
   /**
    * Takes values at the quadrature points of the cells from one mesh to another
@@ -93,19 +100,20 @@ namespace asperity
    * Components are treated one by one: a relation between components that is
    * not linear, like det F = 1, must be restored by their owner.
    *
-   * @param quadrature that of both meshes on the unit square
+   * @param quadrature that of both meshes on the unit cell
    * @param values [(cell * n_q + q) * n_components + component]
    * @param fit_degree of the polynomial in each direction; less where the
    *   quadrature has too few points. Histories have kinks: a high degree would
    *   oscillate, and the limiter then flattens more.
    */
+  template <int dim>
   std::vector<double>
-  transfer_history(const SplineHierarchy       &from,
-                   const SplineHierarchy       &to,
-                   const dealii::Quadrature<2> &quadrature,
-                   const std::vector<double>   &values,
-                   const unsigned int           n_components,
-                   const unsigned int           fit_degree = 2);
+  transfer_history(const SplineHierarchy<dim>    &from,
+                   const SplineHierarchy<dim>    &to,
+                   const dealii::Quadrature<dim> &quadrature,
+                   const std::vector<double>     &values,
+                   const unsigned int             n_components,
+                   const unsigned int             fit_degree = 2);
 } // namespace asperity
 
 #endif

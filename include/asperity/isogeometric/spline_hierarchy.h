@@ -15,19 +15,68 @@
 
 namespace asperity
 {
-  /** A Bezier cell: its level and the spans of that level's knot vectors. */
+  /** A Bezier cell: its level and, in each direction, the span of that level's
+   *  knot vector. */
+  template <int dim>
   struct CellIndex
   {
-    unsigned int level = 0;
-    unsigned int i     = 0; ///< span in the first parameter
-    unsigned int j     = 0; ///< span in the second parameter
+    unsigned int                  level = 0;
+    std::array<unsigned int, dim> spans{};
 
     bool
     operator==(const CellIndex &other) const
     {
-      return level == other.level && i == other.i && j == other.j;
+      return level == other.level && spans == other.spans;
+    }
+
+    /** The cell `levels` above that holds this one. */
+    CellIndex
+    ancestor(const unsigned int levels) const
+    {
+      CellIndex result = *this;
+      result.level -= levels;
+      for (unsigned int &span : result.spans)
+        span >>= levels;
+      return result;
+    }
+
+    /** Its place among the children of its parent, the first direction
+     *  fastest. */
+    unsigned int
+    child_number() const
+    {
+      unsigned int number = 0;
+      for (unsigned int d = 0; d < dim; ++d)
+        number += (spans[d] % 2) << d;
+      return number;
     }
   };
+
+  /** A cell by its corners of least and largest parameters. */
+  template <int dim>
+  using CellBox = std::pair<dealii::Point<dim>, dealii::Point<dim>>;
+
+  /** Product of the edge lengths of a box. */
+  template <int dim>
+  double
+  measure(const CellBox<dim> &box)
+  {
+    double result = 1.;
+    for (unsigned int d = 0; d < dim; ++d)
+      result *= box.second[d] - box.first[d];
+    return result;
+  }
+
+  /** The point of a box that has these coordinates in its unit cell. */
+  template <int dim>
+  dealii::Point<dim>
+  from_unit_cell(const CellBox<dim> &box, const dealii::Point<dim> &unit)
+  {
+    dealii::Point<dim> result;
+    for (unsigned int d = 0; d < dim; ++d)
+      result[d] = box.first[d] + unit[d] * (box.second[d] - box.first[d]);
+    return result;
+  }
 
   /**
    * The truncated hierarchical basis of a list of cells, without a mesh: an
@@ -46,24 +95,24 @@ namespace asperity
    * coefficient of a spline of the space can be read off any one such cell
    * (function_home()); H. Speleers, C. Manni, Numer. Math. 132 (2016) 155-184.
    */
+  template <int dim>
   class SplineHierarchy
   {
   public:
     /**
-     * @param knots_x, knots_y of level 0, equal degrees; level l has their l-th
-     *   dyadic refinement
-     * @param cells the active cells, which must tile the parameter rectangle;
-     *   their order is the numbering of the cells
+     * @param knots of level 0 in each direction, equal degrees; level l has
+     *   their l-th dyadic refinement
+     * @param cells the active cells, which must tile the parameter box; their
+     *   order is the numbering of the cells
      */
-    SplineHierarchy(const KnotVector             &knots_x,
-                    const KnotVector             &knots_y,
-                    const std::vector<CellIndex> &cells);
+    SplineHierarchy(const std::array<KnotVector, dim> &knots,
+                    const std::vector<CellIndex<dim>> &cells);
 
     unsigned int
     degree() const;
 
     bool
-    periodic_x() const;
+    is_periodic(const unsigned int direction) const;
 
     unsigned int
     n_levels() const;
@@ -74,15 +123,15 @@ namespace asperity
     unsigned int
     n_cells() const;
 
-    /** Knots of a level (< n_levels()); direction 0 or 1. */
+    /** Knots of a level (< n_levels()) in a direction. */
     const KnotVector &
     knots(const unsigned int level, const unsigned int direction) const;
 
-    const CellIndex &
+    const CellIndex<dim> &
     cell_index(const unsigned int cell) const;
 
-    /** Lower left and upper right corner, in parameters. */
-    std::pair<dealii::Point<2>, dealii::Point<2>>
+    /** In parameters. */
+    CellBox<dim>
     cell_box(const unsigned int cell) const;
 
     /** Functions that do not vanish on a cell, coarse levels first. */
@@ -94,7 +143,7 @@ namespace asperity
     cell_extraction(const unsigned int cell) const;
 
     /** The cell from which the coefficient of a function is read, and the
-     *  place 0 .. (degree+1)^2 - 1 of the function among the B-splines of the
+     *  place 0 .. (degree+1)^dim - 1 of the function among the B-splines of the
      *  cell's level: of the cells of the function's level, the one that holds
      *  most of it. */
     const std::pair<unsigned int, unsigned int> &
@@ -106,18 +155,27 @@ namespace asperity
                     const unsigned int direction,
                     const unsigned int span) const;
 
-    /** The active cell that holds a parameter (wrapped in x if periodic,
-     *  clamped to the rectangle otherwise). */
+    /** The active cell that holds a parameter (wrapped in periodic directions,
+     *  clamped to the box in the others). */
     unsigned int
-    find_cell(const dealii::Point<2> &parameter) const;
+    find_cell(const dealii::Point<dim> &parameter) const;
 
     /** A place in the tree of cells. */
     struct Node
     {
-      CellIndex          index;
-      int                cell   = -1; ///< active cell, or -1 if refined
-      int                parent = -1;
-      std::array<int, 4> children{{-1, -1, -1, -1}}; ///< x fastest
+      static constexpr unsigned int n_children = 1u << dim;
+
+      Node(const CellIndex<dim> &index, const int parent)
+        : index(index)
+        , parent(parent)
+      {
+        children.fill(-1);
+      }
+
+      CellIndex<dim>              index;
+      int                         cell = -1; ///< active cell, -1 if refined
+      int                         parent;    ///< -1: none, of level 0
+      std::array<int, n_children> children;  ///< first direction fastest
     };
 
     const std::vector<Node> &
@@ -126,32 +184,32 @@ namespace asperity
     /** The node of a cell if it exists, otherwise the active node that
      *  contains it. */
     unsigned int
-    find_node(const CellIndex &index) const;
+    find_node(const CellIndex<dim> &index) const;
 
-    /** The parameter's image nearest to the cell, as a point of the unit
-     *  square of the cell. */
-    dealii::Point<2>
-    to_unit_cell(const unsigned int      cell,
-                 const dealii::Point<2> &parameter) const;
+    /** The parameter's image nearest to the cell, as a point of its unit
+     *  cell. */
+    dealii::Point<dim>
+    to_unit_cell(const unsigned int        cell,
+                 const dealii::Point<dim> &parameter) const;
 
     /** Values and parametric gradients of cell_functions(cell). */
     void
-    evaluate(const unsigned int                 cell,
-             const dealii::Point<2>            &parameter,
-             std::vector<double>               &values,
-             std::vector<dealii::Tensor<1, 2>> *gradients = nullptr) const;
+    evaluate(const unsigned int                   cell,
+             const dealii::Point<dim>            &parameter,
+             std::vector<double>                 &values,
+             std::vector<dealii::Tensor<1, dim>> *gradients = nullptr) const;
 
   private:
-    /** What one level contributes: bases of both directions. */
+    /** What one level contributes: bases of all directions. */
     struct Level
     {
-      explicit Level(const std::array<KnotVector, 2> &knots);
+      explicit Level(const std::array<KnotVector, dim> &knots);
 
-      std::array<KnotVector, 2>                              knots;
-      std::array<std::vector<dealii::FullMatrix<double>>, 2> extraction;
-      std::array<std::vector<dealii::FullMatrix<double>>, 2> two_scale;
-      std::array<std::vector<std::vector<unsigned int>>, 2>  functions;
-      std::array<std::vector<unsigned int>, 2>               support;
+      std::array<KnotVector, dim>                              knots;
+      std::array<std::vector<dealii::FullMatrix<double>>, dim> extraction;
+      std::array<std::vector<dealii::FullMatrix<double>>, dim> two_scale;
+      std::array<std::vector<std::vector<unsigned int>>, dim>  functions;
+      std::array<std::vector<unsigned int>, dim>               support;
       /** B-splines with support inside Omega of the level: the number of the
        *  function, or inactive. */
       std::unordered_map<std::uint64_t, unsigned int> inside;
@@ -159,22 +217,32 @@ namespace asperity
 
     struct Cell
     {
-      CellIndex                  index;
+      CellIndex<dim>             index;
       std::vector<unsigned int>  functions;
       dealii::FullMatrix<double> extraction;
     };
 
     void
-    build_levels(const KnotVector &knots_x, const KnotVector &knots_y);
+    build_levels(const std::array<KnotVector, dim> &knots);
 
     void
     build_tree();
 
+    /** The node of a cell of level 0. */
+    unsigned int
+    root(const CellIndex<dim> &index) const;
+
     void
     select_functions();
 
+    /** Of a cell, those of its level that do not vanish on it, the first
+     *  direction fastest. */
     std::vector<std::uint64_t>
-    bsplines_of(const CellIndex &index) const;
+    bsplines_of(const CellIndex<dim> &index) const;
+
+    /** Number of cells of its level in the support of a B-spline. */
+    unsigned int
+    support_of(const Level &level, std::uint64_t bspline) const;
 
     /** Multi-level extraction down the tree; `operators` holds the functions of
      *  coarser levels on the parent in terms of its B-splines. */

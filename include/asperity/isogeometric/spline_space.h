@@ -10,8 +10,10 @@
 #include <deal.II/grid/tria.h>
 #include <deal.II/lac/full_matrix.h>
 
+#include <array>
 #include <functional>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 namespace asperity
@@ -19,7 +21,7 @@ namespace asperity
   /**
    * The truncated hierarchical B-spline space (THB; Giannelli, Juettler,
    * Speleers, CAGD 29 (2012) 485-498) on a deal.II triangulation of the
-   * parameter rectangle. An active cell is a Bezier element, its level is the
+   * parameter box. An active cell is a Bezier element, its level is the
    * level of the hierarchy; level l lives on the l-times dyadically refined
    * knot vectors. A mesh without local refinement gives plain tensor-product
    * B-splines.
@@ -31,18 +33,27 @@ namespace asperity
    * Cells are numbered 0 .. n_cells() - 1 in the order of the triangulation's
    * active cell iterators (active_cell_index()).
    */
+  template <int dim>
   class SplineSpace
   {
   public:
-    /** Level-0 knot vectors; both have the same degree; x may be periodic.
+    /** Level-0 knot vectors of one degree; all directions but the last may be
+     *  periodic: bottom and top bound the domain.
      *  @throws InputError if they are not so */
-    SplineSpace(const KnotVector &knots_x, const KnotVector &knots_y);
+    explicit SplineSpace(const std::array<KnotVector, dim> &knots);
+
+    /** The same, with the knot vectors one by one: SplineSpace<2>(x, y). */
+    template <typename... KnotVectors,
+              typename = std::enable_if_t<sizeof...(KnotVectors) == dim>>
+    explicit SplineSpace(const KnotVectors &...knots)
+      : SplineSpace(std::array<KnotVector, dim>{{knots...}})
+    {}
 
     unsigned int
     degree() const;
 
     bool
-    periodic_x() const;
+    is_periodic(const unsigned int direction) const;
 
     unsigned int
     n_functions() const;
@@ -50,30 +61,30 @@ namespace asperity
     unsigned int
     n_cells() const;
 
-    /** Parameter domain [x0,x1] x [y0,y1] as a mesh. Boundary ids as Edge. */
-    const dealii::Triangulation<2> &
+    /** The parameter box as a mesh; boundary ids as boundary_id(). */
+    const dealii::Triangulation<dim> &
     triangulation() const;
 
     /** Set refine/coarsen flags here, then call execute_refinement(). */
-    dealii::Triangulation<2> &
+    dealii::Triangulation<dim> &
     triangulation();
 
     /**
      * Carries out the deal.II flags and rebuilds the functions. First the flags
      * are graded, so that the functions of a cell stem from at most two
      * successive levels: with a cell of level l, all level-l cells within
-     * `degree` spans of it (across the period, too) must exist. Cells are
+     * `degree` spans of it (across periods, too) must exist. Cells are
      * flagged for refinement and coarsening is refused as this needs.
      * (A. Buffa, C. Giannelli, M3AS 26 (2016) 1-25, algorithm REFINE, m = 2.)
      */
     void
     execute_refinement();
 
-    /** Of a cell, by its lower left and upper right corner in parameters. */
-    using CellCondition =
-      std::function<bool(const dealii::Point<2> &, const dealii::Point<2> &)>;
-    using CellLevel = std::function<unsigned int(const dealii::Point<2> &,
-                                                 const dealii::Point<2> &)>;
+    /** Of a cell, by its corners of least and largest parameters. */
+    using CellCondition = std::function<bool(const dealii::Point<dim> &,
+                                             const dealii::Point<dim> &)>;
+    using CellLevel     = std::function<unsigned int(const dealii::Point<dim> &,
+                                                 const dealii::Point<dim> &)>;
 
     /** Refines until every cell for which the condition holds has at least this
      *  level. */
@@ -91,29 +102,29 @@ namespace asperity
     /** Refines and coarsens until the cells are those of `target`, which has
      *  the same level-0 knots (their numbers may differ). */
     void
-    refine_like(const SplineHierarchy &target);
+    refine_like(const SplineHierarchy<dim> &target);
 
     /** The functions as an immutable value; keep the pointer to remember the
      *  space before a refinement. */
-    std::shared_ptr<const SplineHierarchy>
+    std::shared_ptr<const SplineHierarchy<dim>>
     hierarchy() const;
 
     /** Functions that do not vanish on a cell. */
     const std::vector<unsigned int> &
     cell_functions(const unsigned int cell) const;
 
-    /** Rows as cell_functions(cell); columns are the (degree+1)^2 Bernstein
+    /** Rows as cell_functions(cell); columns are the (degree+1)^dim Bernstein
      *  polynomials of the cell, x fastest. */
     const dealii::FullMatrix<double> &
     cell_extraction(const unsigned int cell) const;
 
-    /** Lower left and upper right corner of a cell, in parameters. */
-    std::pair<dealii::Point<2>, dealii::Point<2>>
+    /** Of a cell, in parameters. */
+    CellBox<dim>
     cell_box(const unsigned int cell) const;
 
-    /** The cell that holds a parameter (wrapped in x if periodic). */
+    /** The cell that holds a parameter (wrapped in periodic directions). */
     unsigned int
-    find_cell(const dealii::Point<2> &parameter) const;
+    find_cell(const dealii::Point<dim> &parameter) const;
 
     /** Cells with a face on the edge, sorted along it. */
     std::vector<unsigned int>
@@ -126,21 +137,21 @@ namespace asperity
     /** Values (and parametric gradients) of cell_functions(cell) at a
      *  parameter point. */
     void
-    evaluate(const unsigned int                 cell,
-             const dealii::Point<2>            &parameter,
-             std::vector<double>               &values,
-             std::vector<dealii::Tensor<1, 2>> *gradients = nullptr) const;
+    evaluate(const unsigned int                   cell,
+             const dealii::Point<dim>            &parameter,
+             std::vector<double>                 &values,
+             std::vector<dealii::Tensor<1, dim>> *gradients = nullptr) const;
 
     /**
      * Coefficients of the L2 projection (in parameters) of n_components
      * functions, with `edge_weight` times the edge length scale added as an L2
-     * term on all edges (on bottom and top if periodic), so that edges are met
-     * more closely than the inside.
+     * term on the edges that bound the domain (boundary_edges()), so that they
+     * are met more closely than the inside.
      * @return [component][function]
      */
     std::vector<std::vector<double>>
     project(
-      const std::function<std::vector<double>(const dealii::Point<2> &)> &f,
+      const std::function<std::vector<double>(const dealii::Point<dim> &)> &f,
       const unsigned int n_components,
       const double       edge_weight = 10.) const;
 

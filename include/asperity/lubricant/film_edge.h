@@ -33,11 +33,11 @@ namespace asperity
      * @param tool graph (x, Y(x)) with period, as SplineCurve::graph [m]
      * @throws InputError if the chip or the tool is not periodic in x
      */
-    FilmEdge(const SplineSpace   &space,
-             const PatchGeometry &geometry,
-             const SplineCurve   &tool,
-             const FilmGap       &gap,
-             const unsigned int   cells_per_span);
+    FilmEdge(const SplineSpace<2>   &space,
+             const PatchGeometry<2> &geometry,
+             const SplineCurve      &tool,
+             const FilmGap          &gap,
+             const unsigned int      cells_per_span);
 
     unsigned int
     n_cells() const;
@@ -99,7 +99,7 @@ namespace asperity
     cell_dofs(const unsigned int cell) const;
 
   private:
-    ElementView
+    ElementView<2>
     element_of(const unsigned int cell) const;
 
     /** Of a cell: its start; points 1 .. n_gauss behind it are inside. */
@@ -110,11 +110,11 @@ namespace asperity
     unsigned int
     local_point(const unsigned int cell, const unsigned int point) const;
 
-    CurvePieces  tool;
-    FilmGap      film_gap;
-    unsigned int cells_per_span;
-    unsigned int n_gauss;
-    BasisTable   table;
+    CurvePieces   tool;
+    FilmGap       film_gap;
+    unsigned int  cells_per_span;
+    unsigned int  n_gauss;
+    BasisTable<2> table;
 
     // At the points of the table:
     std::vector<dealii::Tensor<1, 2>> x;         ///< current position [m]
@@ -131,10 +131,10 @@ namespace asperity
   FilmEdge::for_each_area_derivative(const unsigned int cell,
                                      const Action      &action) const
   {
-    const ElementView  element = element_of(cell);
-    const unsigned int n       = element.n_functions();
-    const unsigned int first   = first_point(cell);
-    const unsigned int q       = local_point(cell, first);
+    const ElementView<2> element = element_of(cell);
+    const unsigned int   n       = element.n_functions();
+    const unsigned int   first   = first_point(cell);
+    const unsigned int   q       = local_point(cell, first);
     for (unsigned int a = 0; a < n; ++a)
       for (unsigned int b = 0; b < n; ++b)
         {

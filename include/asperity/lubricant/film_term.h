@@ -61,11 +61,11 @@ namespace asperity
     /** @param first_unknown length of the chip's displacement vector, or more
      *  if others have appended unknowns
      *  @throws InputError if a parameter has no physical meaning */
-    FilmTerm(const SplineSpace     &space,
-             const PatchGeometry   &geometry,
-             const SplineCurve     &tool,
-             const FilmTermOptions &options,
-             const unsigned int     first_unknown);
+    FilmTerm(const SplineSpace<2>   &space,
+             const PatchGeometry<2> &geometry,
+             const SplineCurve      &tool,
+             const FilmTermOptions  &options,
+             const unsigned int      first_unknown);
 
     /** How many unknowns there are beyond first_unknown. */
     unsigned int

@@ -63,8 +63,8 @@ namespace asperity
   public:
     /** The chip is undeformed where V is taken first.
      *  @throws InputError if an oil film finds no pocket */
-    SealedPocket(const SplineSpace         &space,
-                 const PatchGeometry       &geometry,
+    SealedPocket(const SplineSpace<2>      &space,
+                 const PatchGeometry<2>    &geometry,
                  const SplineCurve         &tool,
                  const SealedPocketOptions &options);
 

@@ -41,9 +41,9 @@ namespace asperity
     };
 
     /** @param tool graph (x, Y(x)) with period, as SplineCurve::graph [m] */
-    VoidVolume(const SplineSpace   &space,
-               const PatchGeometry &geometry,
-               const SplineCurve   &tool);
+    VoidVolume(const SplineSpace<2>   &space,
+               const PatchGeometry<2> &geometry,
+               const SplineCurve      &tool);
 
     unsigned int
     n_elements() const;
@@ -114,8 +114,8 @@ namespace asperity
     std::vector<double> tool_knots;      ///< breakpoints over one period [m]
     std::vector<double> tool_cumulative; ///< int of Y up to each [m^2]
 
-    BasisTable table; ///< Gauss points of the edge, traces only
-    BasisTable ends;  ///< two points an element: its start and end
+    BasisTable<2> table; ///< Gauss points of the edge, traces only
+    BasisTable<2> ends;  ///< two points an element: its start and end
 
     std::vector<dealii::Point<2>>     point;   ///< current Gauss points
     std::vector<dealii::Tensor<1, 2>> tangent; ///< dx/dS there

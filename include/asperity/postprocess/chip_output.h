@@ -50,10 +50,10 @@ namespace asperity
      * @param n_gauss_points Gauss points a direction at which quadrature fields
      *   are given
      */
-    ChipOutput(const SplineSpace   &space,
-               const PatchGeometry &geometry,
-               const unsigned int   n_subdivisions,
-               const unsigned int   n_gauss_points);
+    ChipOutput(const SplineSpace<2>   &space,
+               const PatchGeometry<2> &geometry,
+               const unsigned int      n_subdivisions,
+               const unsigned int      n_gauss_points);
 
     /**
      * Writes VTU. The displacement is a field of its own, too, named
@@ -78,7 +78,7 @@ namespace asperity
 
     /** Value of a spline field at a table point. */
     double
-    spline_value(const BasisTable::Element    &element,
+    spline_value(const BasisTable<2>::Element &element,
                  const unsigned int            point,
                  const dealii::Vector<double> &coefficients,
                  const unsigned int            n_components,
@@ -101,7 +101,7 @@ namespace asperity
     /** 0 if the space is not periodic [m]. */
     double period;
 
-    BasisTable table;
+    BasisTable<2> table;
 
     /** [picture point of a line * n_gauss_points + Gauss point] */
     std::vector<double> lagrange;

@@ -38,19 +38,19 @@ namespace asperity
 
     /** @param n_quadrature Gauss points per edge of a cell; 0: degree + 1 */
     static EdgeLoad
-    dead_traction(const SplineSpace   &space,
-                  const PatchGeometry &geometry,
-                  const Edge           edge,
-                  const Traction      &traction,
-                  const Kinematics     kinematics   = Kinematics::plane_strain,
-                  const unsigned int   n_quadrature = 0);
+    dead_traction(const SplineSpace<2>   &space,
+                  const PatchGeometry<2> &geometry,
+                  const Edge              edge,
+                  const Traction         &traction,
+                  const Kinematics        kinematics = Kinematics::plane_strain,
+                  const unsigned int      n_quadrature = 0);
 
     /** See dead_traction(). */
     static EdgeLoad
-    follower_pressure(const SplineSpace   &space,
-                      const PatchGeometry &geometry,
-                      const Edge           edge,
-                      const Pressure      &pressure,
+    follower_pressure(const SplineSpace<2>   &space,
+                      const PatchGeometry<2> &geometry,
+                      const Edge              edge,
+                      const Pressure         &pressure,
                       const Kinematics   kinematics = Kinematics::plane_strain,
                       const unsigned int n_quadrature = 0);
 
@@ -70,24 +70,24 @@ namespace asperity
         dealii::SparseMatrix<double> *tangent) override;
 
   private:
-    EdgeLoad(const SplineSpace   &space,
-             const PatchGeometry &geometry,
-             const Edge           edge,
-             const Kinematics     kinematics,
-             const unsigned int   n_quadrature);
+    EdgeLoad(const SplineSpace<2>   &space,
+             const PatchGeometry<2> &geometry,
+             const Edge              edge,
+             const Kinematics        kinematics,
+             const unsigned int      n_quadrature);
 
     void
     add_dead(dealii::Vector<double> &residual) const;
 
     void
-    add_follower(const BasisTable::Element    &entry,
+    add_follower(const BasisTable<2>::Element &entry,
                  const dealii::Vector<double> &u,
                  dealii::Vector<double>       &residual,
                  dealii::SparseMatrix<double> *tangent) const;
 
-    Kinematics kinematics;
-    BasisTable table;
-    double     factor_ = 1.;
+    Kinematics    kinematics;
+    BasisTable<2> table;
+    double        factor_ = 1.;
 
     /** One a point of the table; the other one of the two is empty. */
     std::vector<dealii::Tensor<1, 2>> traction;

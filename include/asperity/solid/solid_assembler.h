@@ -12,6 +12,7 @@
 
 namespace asperity
 {
+  template <int dim>
   class ElementView;
 
   enum class Kinematics
@@ -32,9 +33,9 @@ namespace asperity
   {
   public:
     /** @param n_quadrature Gauss points per direction; 0 means degree + 1 */
-    SolidAssembler(std::shared_ptr<const SplineSpace> space,
-                   const PatchGeometry               &geometry,
-                   std::shared_ptr<const MaterialLaw> law,
+    SolidAssembler(std::shared_ptr<const SplineSpace<2>> space,
+                   const PatchGeometry<2>               &geometry,
+                   std::shared_ptr<const MaterialLaw>    law,
                    const Kinematics   kinematics   = Kinematics::plane_strain,
                    const unsigned int n_quadrature = 0);
 
@@ -84,10 +85,10 @@ namespace asperity
     add_body_force(const dealii::Tensor<1, 2> &force,
                    dealii::Vector<double>     &external) const;
 
-    const BasisTable &
+    const BasisTable<2> &
     table() const;
 
-    const SplineSpace &
+    const SplineSpace<2> &
     space() const;
 
     const MaterialLaw &
@@ -102,9 +103,9 @@ namespace asperity
 
     /** The law at each point, and the end of the step from it. */
     bool
-    evaluate_law(const ElementView &element,
-                 const bool         with_tangent,
-                 Scratch           &scratch);
+    evaluate_law(const ElementView<2> &element,
+                 const bool            with_tangent,
+                 Scratch              &scratch);
 
     bool
     integrate(const unsigned int            element,
@@ -112,10 +113,10 @@ namespace asperity
               const bool                    with_tangent,
               Scratch                      &scratch);
 
-    std::shared_ptr<const SplineSpace> space_;
-    std::shared_ptr<const MaterialLaw> law_;
-    Kinematics                         kinematics;
-    BasisTable                         table_;
+    std::shared_ptr<const SplineSpace<2>> space_;
+    std::shared_ptr<const MaterialLaw>    law_;
+    Kinematics                            kinematics;
+    BasisTable<2>                         table_;
 
     /** Of each element, in growing order: [2 a + component]. */
     std::vector<std::vector<unsigned int>> dofs;

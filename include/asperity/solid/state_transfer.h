@@ -22,8 +22,8 @@ namespace asperity
    * @param states of plane or axisymmetric kinematics, [cell * n_q + q]
    */
   std::vector<MaterialState>
-  transfer_states(const SplineHierarchy            &from,
-                  const SplineHierarchy            &to,
+  transfer_states(const SplineHierarchy<2>         &from,
+                  const SplineHierarchy<2>         &to,
                   const dealii::Quadrature<2>      &quadrature,
                   const std::vector<MaterialState> &states);
 } // namespace asperity

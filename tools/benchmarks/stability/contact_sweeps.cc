@@ -95,7 +95,7 @@ namespace
   {
     const double   amplitude = cell.number("amplitude");
     const unsigned degree    = cell.count("degree");
-    const auto     space     = std::make_shared<SplineSpace>(
+    const auto     space     = std::make_shared<SplineSpace<2>>(
       KnotVector(degree, example::equal_steps(0., 1., 20), true),
       KnotVector(degree, example::equal_steps(-0.5, 0., 6)));
     ContactOptions options;
@@ -146,7 +146,7 @@ namespace
     ContactOptions options;
     options.formulation = formulation(cell);
     options.penalty     = E * cell.number("penalty");
-    const auto space    = std::make_shared<SplineSpace>(
+    const auto space    = std::make_shared<SplineSpace<2>>(
       KnotVector(2, {0., 0.3, 0.5, 0.9, 1.3, 1.5, 2.}),
       KnotVector(2, {0., 0.3, 0.6, 0.8, 1.}));
     example::ContactProblem problem(space,
