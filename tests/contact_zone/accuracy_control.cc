@@ -92,6 +92,7 @@ TEST(AccuracyControl, writes_entries_that_make_the_run)
   SceneParameters          read;
   read.declare(declarator);
   declarator.read_text(text, "entries");
+  read.resolve();
   const SceneParameters expected = with_fineness(parameters, fineness);
   EXPECT_EQ(read.mesh.spans, expected.mesh.spans);
   EXPECT_EQ(read.mesh.refinement, expected.mesh.refinement);
