@@ -2,6 +2,40 @@
 
 namespace asperity
 {
+  namespace
+  {
+    /** The load ramp and the time steps. */
+    void
+    declare_steps(ProtocolParameters &protocol, ParameterDeclarator &parameters)
+    {
+      parameters.number("Ramp fraction",
+                        protocol.ramp_fraction,
+                        Range::between(0.001, 1.),
+                        "t_r/t_end: the pressure follows p/2 (1 - cos(pi "
+                        "t/t_r)) until t_r.");
+      parameters.integer("Ramp steps",
+                         protocol.chosen_ramp_steps,
+                         Range::between(1, 100000),
+                         "Time steps in the load ramp; `automatic`: 24, or 36 "
+                         "where spots bear a part of the strength of the chip, "
+                         "which hardens while they grow.");
+      parameters.integer("Slide steps",
+                         protocol.slide_steps,
+                         Range::between(1, 1000000),
+                         "Time steps from the end of the ramp to t_end.");
+      parameters.number("Maximum strain increment",
+                        protocol.strain_increment,
+                        Range::between(0., 10.),
+                        "Largest growth of the plastic strain in a time step "
+                        "anywhere in the chip: a step with a larger one is "
+                        "halved, and the next ones grow by a factor of two at "
+                        "most until they are as long as the entries above say; "
+                        "0: any growth.");
+    }
+  } // namespace
+
+
+
   void
   ProtocolParameters::declare(ParameterDeclarator &parameters)
   {
@@ -28,29 +62,7 @@ namespace asperity
                         "with the same velocity, until t_end; mu is that of "
                         "the way back then. 0: it goes on. For the window "
                         "`time` and a chip without inertia.");
-    parameters.number("Ramp fraction",
-                      ramp_fraction,
-                      Range::between(0.001, 1.),
-                      "t_r/t_end: the pressure follows p/2 (1 - cos(pi "
-                      "t/t_r)) until t_r.");
-    parameters.integer("Ramp steps",
-                       chosen_ramp_steps,
-                       Range::between(1, 100000),
-                       "Time steps in the load ramp; `automatic`: 24, or 36 "
-                       "where spots bear a part of the strength of the chip, "
-                       "which hardens while they grow.");
-    parameters.integer("Slide steps",
-                       slide_steps,
-                       Range::between(1, 1000000),
-                       "Time steps from the end of the ramp to t_end.");
-    parameters.number("Maximum strain increment",
-                      strain_increment,
-                      Range::between(0., 10.),
-                      "Largest growth of the plastic strain in a time step "
-                      "anywhere in the chip: a step with a larger one is "
-                      "halved, and the next ones grow by a factor of two at "
-                      "most until they are as long as the entries above say; "
-                      "0: any growth.");
+    declare_steps(*this, parameters);
     parameters.choice("Inertia",
                       inertia,
                       {{"automatic", Inertia::automatic},

@@ -18,6 +18,7 @@ using namespace asperity;
 using dealii::Point;
 using dealii::QGauss;
 using dealii::Tensor;
+using example::value;
 
 namespace
 {
@@ -79,21 +80,6 @@ namespace
       for (unsigned int d = 0; d < dim; ++d)
         points[i][d] = 0.5 + 0.5 * numbers[dim * i + d];
     return points;
-  }
-
-  template <int dim>
-  double
-  value(const SplineSpace<dim>    &space,
-        const std::vector<double> &coefficients,
-        const Point<dim>          &point)
-  {
-    const unsigned int  cell = space.find_cell(point);
-    std::vector<double> N;
-    space.evaluate(cell, point, N);
-    double sum = 0.;
-    for (unsigned int a = 0; a < N.size(); ++a)
-      sum += N[a] * coefficients[space.cell_functions(cell)[a]];
-    return sum;
   }
 
   template <typename Dimension>

@@ -115,10 +115,11 @@ namespace example
   }
 
   /** Value of a spline at a parameter. */
-  inline double
-  value(const SplineSpace<2>      &space,
+  template <int dim>
+  double
+  value(const SplineSpace<dim>    &space,
         const std::vector<double> &coefficients,
-        const dealii::Point<2>    &parameter)
+        const dealii::Point<dim>  &parameter)
   {
     const unsigned int  cell = space.find_cell(parameter);
     std::vector<double> N;
