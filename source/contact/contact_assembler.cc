@@ -4,6 +4,7 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace asperity
@@ -15,63 +16,75 @@ namespace asperity
   namespace
   {
     /** Where a point was whose gap is unknown: no other is equal to it. */
-    const dealii::Point<2> nowhere(std::numeric_limits<double>::quiet_NaN(),
-                                   0.);
+    template <int dim>
+    dealii::Point<dim>
+    nowhere()
+    {
+      dealii::Point<dim> x;
+      x[0] = std::numeric_limits<double>::quiet_NaN();
+      return x;
+    }
   } // namespace
 
 
 
-  ContactAssembler::ContactAssembler(
-    std::shared_ptr<const SplineSpace<2>> space,
-    const PatchGeometry<2>               &geometry,
-    const Edge                            edge,
-    std::shared_ptr<const RigidObstacle>  obstacle,
-    const ContactOptions                 &options)
+  template <int dim>
+  ContactAssembler<dim>::ContactAssembler(
+    std::shared_ptr<const SplineSpace<dim>>   space,
+    const PatchGeometry<dim>                 &geometry,
+    const Edge                                edge,
+    std::shared_ptr<const RigidObstacle<dim>> obstacle,
+    const ContactOptions                     &options)
     : space(std::move(space))
     , obstacle(std::move(obstacle))
     , options_(options)
     , law{options.penalty}
-    , table_(tabulate_edge(*this->space,
-                           geometry,
-                           edge,
-                           dealii::QGauss<1>(options.points_per_element > 0 ?
-                                               options.points_per_element :
-                                               this->space->degree() + 2)))
+    , table_(
+        tabulate_edge(*this->space,
+                      geometry,
+                      edge,
+                      dealii::QGauss<dim - 1>(options.points_per_element > 0 ?
+                                                options.points_per_element :
+                                                this->space->degree() + 2)))
     , tractions(*this->space, table_, edge, options.formulation)
     , multiplier(tractions.size(), 0.)
-    , hint(table_.JxW.size(), 0.)
+    , hint(table_.JxW.size())
     , position(table_.JxW.size())
     , gap(table_.JxW.size())
     , traction_pressure(tractions.size())
     , point_pressure(table_.JxW.size(), 0.)
   {
     for (unsigned int q = 0; q < hint.size(); ++q)
-      hint[q] = table_.position[q][0];
-    position.assign(position.size(), nowhere);
+      for (unsigned int k = 0; k < dim - 1; ++k)
+        hint[q][k] = table_.position[q][k];
+    position.assign(position.size(), nowhere<dim>());
     if (options.interface.law != InterfaceShear::none)
       shear_.emplace(tractions, table_, options.interface, options.penalty);
   }
 
 
 
+  template <int dim>
   void
-  ContactAssembler::add_couplings(dealii::DynamicSparsityPattern &pattern) const
+  ContactAssembler<dim>::add_couplings(
+    dealii::DynamicSparsityPattern &pattern) const
   {
     tractions.add_couplings(pattern);
   }
 
 
 
+  template <int dim>
   void
-  ContactAssembler::measure(const Vector &u)
+  ContactAssembler<dim>::measure(const Vector &u)
   {
     for (const auto &entry : table_.elements)
       {
-        const ElementView<2> element(table_, entry);
+        const ElementView<dim> element(table_, entry);
         for (unsigned int q = 0; q < table_.points_per_element; ++q)
           {
             const unsigned int point = element.point(q);
-            dealii::Point<2>   x     = table_.position[point];
+            dealii::Point<dim> x     = table_.position[point];
             element.add_displacement(q, u, x);
             // A tangent is often wanted where the residual was.
             if (x == position[point])
@@ -84,8 +97,9 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  ContactAssembler::set_pressures()
+  ContactAssembler<dim>::set_pressures()
   {
     std::vector<double> gaps(gap.size());
     for (unsigned int q = 0; q < gap.size(); ++q)
@@ -102,12 +116,13 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  ContactAssembler::add_residual(Vector &residual) const
+  ContactAssembler<dim>::add_residual(Vector &residual) const
   {
     for (const auto &entry : table_.elements)
       {
-        const ElementView<2> element(table_, entry);
+        const ElementView<dim> element(table_, entry);
         for (unsigned int q = 0; q < table_.points_per_element; ++q)
           {
             const unsigned int point = element.point(q);
@@ -122,28 +137,33 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  ContactAssembler::add_stiffness(Matrix &tangent) const
+  ContactAssembler<dim>::add_stiffness(Matrix &tangent) const
   {
-    TractionSpace::Vectors n(gap.size()), t(gap.size());
-    std::vector<double>    turning(gap.size()), factors(tractions.size());
-    for (unsigned int q = 0; q < gap.size(); ++q)
+    typename TractionSpace<dim>::Vectors n(gap.size()), t(gap.size());
+    std::vector<double> turning(gap.size()), factors(tractions.size());
+    for (unsigned int k = 0; k < dim - 1; ++k)
       {
-        n[q]       = gap[q].normal;
-        t[q][0]    = -n[q][1];
-        t[q][1]    = n[q][0];
-        turning[q] = -point_pressure[q] * gap[q].normal_rotation();
+        for (unsigned int q = 0; q < gap.size(); ++q)
+          {
+            t[q]       = gap[q].direction[k];
+            turning[q] = -point_pressure[q] * gap[q].normal_rotation(k);
+          }
+        tractions.add_pointwise(turning, t, t, tangent);
       }
+    for (unsigned int q = 0; q < gap.size(); ++q)
+      n[q] = gap[q].normal;
     for (unsigned int a = 0; a < factors.size(); ++a)
       factors[a] = -traction_pressure[a].slope;
-    tractions.add_pointwise(turning, t, t, tangent);
     tractions.add_stiffness(factors, n, n, tangent);
   }
 
 
 
+  template <int dim>
   bool
-  ContactAssembler::add(const Vector &u, Vector &residual, Matrix *tangent)
+  ContactAssembler<dim>::add(const Vector &u, Vector &residual, Matrix *tangent)
   {
     measure(u);
     set_pressures();
@@ -157,11 +177,12 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  ContactAssembler::add_shear(Vector &residual, Matrix *tangent)
+  ContactAssembler<dim>::add_shear(Vector &residual, Matrix *tangent)
   {
-    std::vector<dealii::Point<2>> seen_from_obstacle = position;
-    for (dealii::Point<2> &x : seen_from_obstacle)
+    std::vector<dealii::Point<dim>> seen_from_obstacle = position;
+    for (dealii::Point<dim> &x : seen_from_obstacle)
       x -= offset;
     shear_->evaluate(seen_from_obstacle, gap, traction_pressure);
     shear_->add_residual(residual);
@@ -180,25 +201,28 @@ namespace asperity
 
 
 
+  template <int dim>
   const Matrix *
-  ContactAssembler::unsymmetric_tangent() const
+  ContactAssembler<dim>::unsymmetric_tangent() const
   {
     return shear_ ? &shear_tangent : nullptr;
   }
 
 
 
+  template <int dim>
   void
-  ContactAssembler::set_obstacle_offset(const Tensor<1, 2> &new_offset)
+  ContactAssembler<dim>::set_obstacle_offset(const Tensor<1, dim> &new_offset)
   {
     offset = new_offset;
-    position.assign(position.size(), nowhere);
+    position.assign(position.size(), nowhere<dim>());
   }
 
 
 
+  template <int dim>
   void
-  ContactAssembler::augment()
+  ContactAssembler<dim>::augment()
   {
     for (unsigned int a = 0; a < multiplier.size(); ++a)
       multiplier[a] = traction_pressure[a].value;
@@ -206,16 +230,18 @@ namespace asperity
 
 
 
+  template <int dim>
   const std::vector<double> &
-  ContactAssembler::multipliers() const
+  ContactAssembler<dim>::multipliers() const
   {
     return multiplier;
   }
 
 
 
+  template <int dim>
   void
-  ContactAssembler::set_multipliers(const std::vector<double> &multipliers)
+  ContactAssembler<dim>::set_multipliers(const std::vector<double> &multipliers)
   {
     AssertDimension(multipliers.size(), multiplier.size());
     multiplier = multipliers;
@@ -223,16 +249,19 @@ namespace asperity
 
 
 
-  const std::vector<double> &
-  ContactAssembler::hints() const
+  template <int dim>
+  const std::vector<dealii::Point<dim - 1>> &
+  ContactAssembler<dim>::hints() const
   {
     return hint;
   }
 
 
 
+  template <int dim>
   void
-  ContactAssembler::set_hints(const std::vector<double> &hints)
+  ContactAssembler<dim>::set_hints(
+    const std::vector<dealii::Point<dim - 1>> &hints)
   {
     AssertDimension(hints.size(), hint.size());
     hint = hints;
@@ -240,19 +269,27 @@ namespace asperity
 
 
 
+  template <int dim>
   std::vector<double>
-  ContactAssembler::stretch(const Vector &u) const
+  ContactAssembler<dim>::stretch(const Vector &u) const
   {
     std::vector<double> result(table_.JxW.size());
     for (const auto &entry : table_.elements)
       {
-        const ElementView<2> element(table_, entry);
+        const ElementView<dim> element(table_, entry);
         for (unsigned int q = 0; q < table_.points_per_element; ++q)
           {
-            const unsigned int point = element.point(q);
-            Tensor<1, 2>       t     = table_.tangent[point];
-            element.add_stretch(q, u, t);
-            result[point] = t.norm();
+            std::array<Tensor<1, dim>, dim - 1> t;
+            for (unsigned int k = 0; k < dim - 1; ++k)
+              {
+                t[k] = table_.tangent[(dim - 1) * element.point(q) + k];
+                element.add_stretch(q, u, t[k], k);
+              }
+            if constexpr (dim == 2)
+              result[element.point(q)] = t[0].norm();
+            else
+              result[element.point(q)] =
+                dealii::cross_product_3d(t[0], t[1]).norm();
           }
       }
     return result;
@@ -260,8 +297,9 @@ namespace asperity
 
 
 
+  template <int dim>
   std::vector<bool>
-  ContactAssembler::touching() const
+  ContactAssembler<dim>::touching() const
   {
     // A mortar pressure reaches a support beyond the touching points; those
     // touch where the penalty law alone would press. A hard mortar contact
@@ -281,10 +319,11 @@ namespace asperity
 
 
 
-  ContactState
-  ContactAssembler::state() const
+  template <int dim>
+  ContactState<dim>
+  ContactAssembler<dim>::state() const
   {
-    ContactState            state;
+    ContactState<dim>       state;
     const std::vector<bool> touches = touching();
     double                  length = 0., touching_length = 0.;
     for (unsigned int q = 0; q < gap.size(); ++q)
@@ -313,8 +352,9 @@ namespace asperity
 
 
 
+  template <int dim>
   CurrentContact
-  ContactAssembler::current_state(const Vector &u) const
+  ContactAssembler<dim>::current_state(const Vector &u) const
   {
     CurrentContact            state;
     const std::vector<bool>   touches  = touching();
@@ -335,57 +375,69 @@ namespace asperity
 
 
 
-  const BasisTable<2> &
-  ContactAssembler::table() const
+  template <int dim>
+  const BasisTable<dim> &
+  ContactAssembler<dim>::table() const
   {
     return table_;
   }
 
 
 
+  template <int dim>
   const std::vector<double> &
-  ContactAssembler::pressure() const
+  ContactAssembler<dim>::pressure() const
   {
     return point_pressure;
   }
 
 
 
-  const std::vector<GapPoint> &
-  ContactAssembler::gaps() const
+  template <int dim>
+  const std::vector<GapPoint<dim>> &
+  ContactAssembler<dim>::gaps() const
   {
     return gap;
   }
 
 
 
-  const std::vector<dealii::Point<2>> &
-  ContactAssembler::positions() const
+  template <int dim>
+  const std::vector<dealii::Point<dim>> &
+  ContactAssembler<dim>::positions() const
   {
     return position;
   }
 
 
 
+  template <int dim>
   const ContactOptions &
-  ContactAssembler::options() const
+  ContactAssembler<dim>::options() const
   {
     return options_;
   }
 
 
 
-  ShearTraction *
-  ContactAssembler::shear()
+  template <int dim>
+  ShearTraction<dim> *
+  ContactAssembler<dim>::shear()
   {
     return shear_ ? &*shear_ : nullptr;
   }
 
 
 
-  const ShearTraction *
-  ContactAssembler::shear() const
+  template <int dim>
+  const ShearTraction<dim> *
+  ContactAssembler<dim>::shear() const
   {
     return shear_ ? &*shear_ : nullptr;
   }
+
+
+
+  template class ContactAssembler<2>;
+  template class ContactAssembler<3>;
 } // namespace asperity

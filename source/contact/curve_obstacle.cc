@@ -9,16 +9,17 @@ namespace asperity
 
 
 
-  GapPoint
-  CurveObstacle::gap(const dealii::Point<2> &x, double &hint) const
+  GapPoint<2>
+  CurveObstacle::gap(const dealii::Point<2> &x, dealii::Point<1> &hint) const
   {
-    const Projection closest = search.project(x, hint);
-    hint                     = closest.parameter;
-    GapPoint gap;
-    gap.gap    = closest.distance;
-    gap.normal = closest.normal;
+    const Projection closest = search.project(x, hint[0]);
+    hint[0]                  = closest.parameter;
+    GapPoint<2> gap;
+    gap.gap          = closest.distance;
+    gap.normal       = closest.normal;
+    gap.direction[0] = turned(gap.normal);
     // Projection counts a valley as positive.
-    gap.curvature = -closest.curvature;
+    gap.curvature[0] = -closest.curvature;
     return gap;
   }
 } // namespace asperity

@@ -11,36 +11,56 @@ namespace asperity
 
   namespace
   {
+    template <int dim>
     double
-    largest_element(const BasisTable<2> &table)
+    largest_element(const BasisTable<dim> &table)
     {
       double largest = 0.;
       for (const auto &element : table.elements)
         {
-          double length = 0.;
+          double measure = 0.;
           for (unsigned int q = 0; q < table.points_per_element; ++q)
-            length += table.JxW[element.first_point + q];
-          largest = std::max(largest, length);
+            measure += table.JxW[element.first_point + q];
+          largest = std::max(largest, measure);
         }
-      return largest;
+      return dim == 2 ? largest : std::sqrt(largest);
     }
 
-    Tensor<1, 2>
-    turned(const Tensor<1, 2> &v)
+    /** The tangents of a point and how they turn. */
+    template <int dim>
+    void
+    set_tangents(const GapPoint<dim> &gap, SlipPoint<dim> &p)
     {
-      Tensor<1, 2> result;
-      result[0] = -v[1];
-      result[1] = v[0];
-      return result;
+      const Tensor<1, dim> &n = gap.normal;
+      if constexpr (dim == 2)
+        p.tangent[0] = turned(n);
+      else
+        {
+          Tensor<1, dim> along_x;
+          along_x[0]   = 1.;
+          p.tangent[0] = along_x - n[0] * n;
+          p.tangent[0] /= p.tangent[0].norm();
+          p.tangent[1] = dealii::cross_product_3d(n, p.tangent[0]);
+        }
+      for (unsigned int k = 0; k < dim - 1; ++k)
+        {
+          p.turn[k] = Tensor<1, dim>();
+          for (unsigned int m = 0; m < dim - 1; ++m)
+            p.turn[k] += gap.normal_rotation(m) *
+                         (gap.direction[m] * p.tangent[k]) * gap.direction[m];
+        }
+      if constexpr (dim == 3)
+        p.spin = -n[0] / std::sqrt(1. - n[0] * n[0]) * p.turn[1];
     }
   } // namespace
 
 
 
-  ShearTraction::ShearTraction(const TractionSpace       &tractions,
-                               const BasisTable<2>       &table,
-                               const InterfaceParameters &parameters,
-                               const double               penalty)
+  template <int dim>
+  ShearTraction<dim>::ShearTraction(const TractionSpace<dim>  &tractions,
+                                    const BasisTable<dim>     &table,
+                                    const InterfaceParameters &parameters,
+                                    const double               penalty)
     : tractions(tractions)
     , table(table)
     , law(parameters)
@@ -49,79 +69,123 @@ namespace asperity
     , mean_k(tractions.size(), 0.)
     , mean_wet(tractions.size(), 0.)
     , closed_until(table.JxW.size(), 0.)
-    , start{std::vector<double>(tractions.size(), 0.),
+    , start{std::vector<double>((dim - 1) * tractions.size(), 0.),
             std::vector<double>(tractions.size(), 0.),
             table.position}
     , position(table.position)
     , slip_(table.JxW.size())
     , gap(table.JxW.size())
     , pressure(tractions.size(), 0.)
-    , mean_slip(tractions.size(), 0.)
-    , traction(tractions.size(), 0.)
-    , by_slip(tractions.size(), 0.)
-    , by_gap(tractions.size(), 0.)
-    , by_touching(tractions.size(), 0.)
-    , point_traction(table.JxW.size(), 0.)
-  {}
+    , sticks(tractions.size(), false)
+  {
+    const std::vector<double> zero(tractions.size(), 0.);
+    for (unsigned int k = 0; k < dim - 1; ++k)
+      {
+        mean_slip[k] = traction[k] = by_gap[k] = by_touching[k] = zero;
+        by_slip[k].fill(zero);
+        point_traction[k].assign(table.JxW.size(), 0.);
+      }
+  }
 
 
 
+  template <int dim>
   void
-  ShearTraction::measure(const std::vector<Point<2>> &positions,
-                         const std::vector<GapPoint> &gaps)
+  ShearTraction<dim>::measure(const std::vector<Point<dim>>    &positions,
+                              const std::vector<GapPoint<dim>> &gaps)
   {
     position = positions;
     gap      = gaps;
     for (unsigned int q = 0; q < gap.size(); ++q)
       {
-        const Tensor<1, 2> &n   = gap[q].normal;
-        const Tensor<1, 2>  way = position[q] - start.positions[q];
-        SlipPoint          &p   = slip_[q];
-        p.tangent               = turned(n);
-        p.slip                  = p.tangent * way;
-        p.rotation              = gap[q].normal_rotation();
-        p.by_way                = 1. - p.rotation * (n * way);
-        const double open       = (gap[q].gap - closed_until[q]) / transition;
-        p.touching              = std::clamp(1. - open, 0., 1.);
-        p.closing = open > 0. && open < 1. ? -1. / transition : 0.;
+        const Tensor<1, dim> &n   = gap[q].normal;
+        const Tensor<1, dim>  way = position[q] - start.positions[q];
+        SlipPoint<dim>       &p   = slip_[q];
+        set_tangents(gap[q], p);
+        for (unsigned int k = 0; k < dim - 1; ++k)
+          {
+            p.slip[k]        = p.tangent[k] * way;
+            p.by_position[k] = p.tangent[k] - (n * way) * p.turn[k];
+          }
+        if constexpr (dim == 3)
+          {
+            p.by_position[0] += p.slip[1] * p.spin;
+            p.by_position[1] -= p.slip[0] * p.spin;
+          }
+        const double open = (gap[q].gap - closed_until[q]) / transition;
+        p.touching        = std::clamp(1. - open, 0., 1.);
+        p.closing         = open > 0. && open < 1. ? -1. / transition : 0.;
       }
   }
 
 
 
+  template <int dim>
   void
-  ShearTraction::return_map(const std::vector<ContactPressure> &pressures)
+  ShearTraction<dim>::return_map(const std::vector<ContactPressure> &pressures)
   {
     std::vector<double> slip(slip_.size()), touching(slip_.size());
-    for (unsigned int q = 0; q < slip_.size(); ++q)
+    for (unsigned int k = 0; k < dim - 1; ++k)
       {
-        slip[q]     = slip_[q].slip;
-        touching[q] = slip_[q].touching;
+        for (unsigned int q = 0; q < slip_.size(); ++q)
+          slip[q] = slip_[q].slip[k];
+        mean_slip[k] = tractions.means(slip);
       }
-    mean_slip                               = tractions.means(slip);
+    for (unsigned int q = 0; q < slip_.size(); ++q)
+      touching[q] = slip_[q].touching;
     const std::vector<double> mean_touching = tractions.means(touching);
-    for (unsigned int a = 0; a < traction.size(); ++a)
+    for (unsigned int a = 0; a < pressure.size(); ++a)
       {
         pressure[a]               = pressures[a].value;
-        const double        trial = start.tractions[a] + penalty * mean_slip[a];
         const ShearStrength limit = law.strength(
           {pressures[a].value, mean_k[a], mean_touching[a], mean_wet[a]});
-        const bool   sticks = std::abs(trial) < limit.value;
-        const double sign   = sticks ? 0. : std::copysign(1., trial);
-        traction[a]         = sticks ? trial : sign * limit.value;
-        by_slip[a]          = sticks ? penalty : 0.;
-        by_gap[a]           = sign * limit.by_pressure * pressures[a].slope;
-        by_touching[a]      = sign * limit.by_touching;
+        return_to(limit, pressures[a].slope, a);
       }
-    point_traction = tractions.at_points(traction);
+    for (unsigned int k = 0; k < dim - 1; ++k)
+      point_traction[k] = tractions.at_points(traction[k]);
   }
 
 
 
+  template <int dim>
   void
-  ShearTraction::evaluate(const std::vector<Point<2>>        &positions,
-                          const std::vector<GapPoint>        &gaps,
-                          const std::vector<ContactPressure> &pressures)
+  ShearTraction<dim>::return_to(const ShearStrength &limit,
+                                const double         pressure_slope,
+                                const unsigned int   a)
+  {
+    Tensor<1, dim - 1> trial, e;
+    for (unsigned int k = 0; k < dim - 1; ++k)
+      trial[k] =
+        start.tractions[k * pressure.size() + a] + penalty * mean_slip[k][a];
+    const double size = trial.norm();
+    e[0]              = 1.;
+    if (size > 0.)
+      e = trial / size;
+    sticks[a] = size < limit.value;
+    // By the trial along e nothing grows, across it what turns.
+    const double turns = size > 0. ? penalty * limit.value / size : 0.;
+    for (unsigned int k = 0; k < dim - 1; ++k)
+      {
+        traction[k][a] = sticks[a] ? trial[k] : e[k] * limit.value;
+        by_gap[k][a] =
+          sticks[a] ? 0. : e[k] * limit.by_pressure * pressure_slope;
+        by_touching[k][a] = sticks[a] ? 0. : e[k] * limit.by_touching;
+        for (unsigned int l = 0; l < dim - 1; ++l)
+          {
+            const double unit = k == l ? 1. : 0.;
+            by_slip[k][l][a] =
+              sticks[a] ? penalty * unit : turns * (unit - e[k] * e[l]);
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  ShearTraction<dim>::evaluate(const std::vector<Point<dim>>      &positions,
+                               const std::vector<GapPoint<dim>>   &gaps,
+                               const std::vector<ContactPressure> &pressures)
   {
     measure(positions, gaps);
     return_map(pressures);
@@ -129,55 +193,93 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  ShearTraction::add_residual(dealii::Vector<double> &residual) const
+  ShearTraction<dim>::add_residual(dealii::Vector<double> &residual) const
   {
     for (const auto &entry : table.elements)
       {
-        const ElementView<2> element(table, entry);
+        const ElementView<dim> element(table, entry);
         for (unsigned int q = 0; q < table.points_per_element; ++q)
-          {
-            const unsigned int point = element.point(q);
-            if (point_traction[point] != 0.)
-              element.add_force(q,
-                                point_traction[point] * element.JxW(q) *
-                                  slip_[point].tangent,
-                                residual);
-          }
+          for (unsigned int k = 0; k < dim - 1; ++k)
+            {
+              const unsigned int point = element.point(q);
+              if (point_traction[k][point] != 0.)
+                element.add_force(q,
+                                  point_traction[k][point] * element.JxW(q) *
+                                    slip_[point].tangent[k],
+                                  residual);
+            }
       }
   }
 
 
 
+  template <int dim>
   void
-  ShearTraction::add_stiffness(dealii::SparseMatrix<double> &symmetric,
-                               dealii::SparseMatrix<double> &rest) const
+  ShearTraction<dim>::add_stiffness(dealii::SparseMatrix<double> &symmetric,
+                                    dealii::SparseMatrix<double> &rest) const
   {
-    const unsigned int     n_points = slip_.size();
-    TractionSpace::Vectors s(n_points), beyond(n_points), n(n_points),
-      closing(n_points);
-    std::vector<double> turning(n_points);
+    const unsigned int           n_points = slip_.size();
+    Vectors                      n(n_points), closing(n_points);
+    std::array<Vectors, dim - 1> s, beyond;
     for (unsigned int q = 0; q < n_points; ++q)
       {
-        s[q]       = slip_[q].tangent;
         n[q]       = gap[q].normal;
-        beyond[q]  = (slip_[q].by_way - 1.) * s[q];
         closing[q] = slip_[q].closing * n[q];
-        // s' = -rotation (s . dx) n
-        turning[q] = -point_traction[q] * slip_[q].rotation;
+        for (unsigned int k = 0; k < dim - 1; ++k)
+          {
+            s[k].push_back(slip_[q].tangent[k]);
+            beyond[k].push_back(slip_[q].by_position[k] - s[k][q]);
+          }
       }
-    tractions.add_stiffness(by_slip, s, s, symmetric);
-    tractions.add_stiffness(by_slip, s, beyond, rest);
-    tractions.add_stiffness(by_gap, s, n, rest);
-    tractions.add_stiffness(by_touching, s, closing, rest);
-    tractions.add_pointwise(turning, n, s, rest);
+    for (unsigned int k = 0; k < dim - 1; ++k)
+      {
+        for (unsigned int l = 0; l < dim - 1; ++l)
+          {
+            tractions.add_stiffness(by_slip[k][l], s[k], s[l], symmetric);
+            tractions.add_stiffness(by_slip[k][l], s[k], beyond[l], rest);
+          }
+        tractions.add_stiffness(by_gap[k], s[k], n, rest);
+        tractions.add_stiffness(by_touching[k], s[k], closing, rest);
+      }
+    add_turning(s, n, rest);
   }
 
 
 
+  template <int dim>
   void
-  ShearTraction::set_interface(const std::vector<double> &k,
-                               const std::vector<double> &wet)
+  ShearTraction<dim>::add_turning(const std::array<Vectors, dim - 1> &s,
+                                  const Vectors                      &n,
+                                  dealii::SparseMatrix<double> &tangent) const
+  {
+    Vectors             turn(slip_.size()), spin(slip_.size());
+    std::vector<double> minus(slip_.size());
+    for (unsigned int k = 0; k < dim - 1; ++k)
+      {
+        for (unsigned int q = 0; q < slip_.size(); ++q)
+          {
+            turn[q]  = slip_[q].turn[k];
+            minus[q] = -point_traction[k][q];
+          }
+        tractions.add_pointwise(minus, n, turn, tangent);
+      }
+    if constexpr (dim == 3)
+      {
+        for (unsigned int q = 0; q < slip_.size(); ++q)
+          spin[q] = slip_[q].spin;
+        tractions.add_pointwise(minus, s[0], spin, tangent);
+        tractions.add_pointwise(point_traction[0], s[1], spin, tangent);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  ShearTraction<dim>::set_interface(const std::vector<double> &k,
+                                    const std::vector<double> &wet)
   {
     mean_k                      = tractions.means(k);
     mean_wet                    = tractions.means(wet);
@@ -191,24 +293,33 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  ShearTraction::accept()
+  ShearTraction<dim>::accept()
   {
-    start = {traction, pressure, position};
+    start.tractions.clear();
+    for (const std::vector<double> &component : traction)
+      start.tractions.insert(start.tractions.end(),
+                             component.begin(),
+                             component.end());
+    start.pressures = pressure;
+    start.positions = position;
   }
 
 
 
-  const ShearTraction::History &
-  ShearTraction::history() const
+  template <int dim>
+  const typename ShearTraction<dim>::History &
+  ShearTraction<dim>::history() const
   {
     return start;
   }
 
 
 
+  template <int dim>
   void
-  ShearTraction::set_history(const History &history)
+  ShearTraction<dim>::set_history(const History &history)
   {
     AssertDimension(history.tractions.size(), start.tractions.size());
     AssertDimension(history.pressures.size(), start.pressures.size());
@@ -218,57 +329,79 @@ namespace asperity
 
 
 
+  template <int dim>
   const std::vector<double> &
-  ShearTraction::at_points() const
+  ShearTraction<dim>::at_points(const unsigned int k) const
   {
-    return point_traction;
+    return point_traction[k];
   }
 
 
 
-  const std::vector<SlipPoint> &
-  ShearTraction::slip() const
+  template <int dim>
+  const std::vector<SlipPoint<dim>> &
+  ShearTraction<dim>::slip() const
   {
     return slip_;
   }
 
 
 
+  template <int dim>
   void
-  ShearTraction::sum_up(Tensor<1, 2> &force, double &sticking_part) const
+  ShearTraction<dim>::sum_up(Tensor<1, dim> &force, double &sticking_part) const
   {
     const std::vector<double> sticks = sticking();
     double                    stuck = 0., all = 0.;
-    for (unsigned int q = 0; q < point_traction.size(); ++q)
+    for (unsigned int q = 0; q < slip_.size(); ++q)
       {
-        const double load = point_traction[q] * table.JxW[q];
-        force -= load * slip_[q].tangent;
-        stuck += sticks[q] * std::abs(load);
-        all += std::abs(load);
+        Tensor<1, dim - 1> load;
+        for (unsigned int k = 0; k < dim - 1; ++k)
+          {
+            load[k] = point_traction[k][q] * table.JxW[q];
+            force -= load[k] * slip_[q].tangent[k];
+          }
+        stuck += sticks[q] * load.norm();
+        all += load.norm();
       }
     sticking_part = all > 0. ? stuck / all : 0.;
   }
 
 
 
+  template <int dim>
   std::vector<double>
-  ShearTraction::dissipation() const
+  ShearTraction<dim>::dissipation() const
   {
-    std::vector<double> work(traction.size());
-    for (unsigned int a = 0; a < work.size(); ++a)
-      work[a] = traction[a] *
-                (mean_slip[a] - (traction[a] - start.tractions[a]) / penalty);
+    std::vector<double> work(pressure.size(), 0.);
+    for (unsigned int k = 0; k < dim - 1; ++k)
+      for (unsigned int a = 0; a < work.size(); ++a)
+        work[a] +=
+          traction[k][a] *
+          (mean_slip[k][a] -
+           (traction[k][a] - start.tractions[k * work.size() + a]) / penalty);
     return tractions.at_points(work);
   }
 
 
 
+  template <int dim>
   std::vector<double>
-  ShearTraction::sticking() const
+  ShearTraction<dim>::sticking() const
   {
-    std::vector<double> sticks(traction.size());
-    for (unsigned int a = 0; a < sticks.size(); ++a)
-      sticks[a] = by_slip[a] != 0. && traction[a] != 0. ? 1. : 0.;
-    return tractions.at_points(sticks);
+    std::vector<double> stuck(pressure.size());
+    for (unsigned int a = 0; a < stuck.size(); ++a)
+      {
+        bool bears = false;
+        for (unsigned int k = 0; k < dim - 1; ++k)
+          bears = bears || traction[k][a] != 0.;
+        stuck[a] = sticks[a] && bears ? 1. : 0.;
+      }
+    return tractions.at_points(stuck);
   }
+
+
+
+  template class ShearTraction<2>;
+  template class ShearTraction<3>;
 } // namespace asperity

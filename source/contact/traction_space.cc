@@ -10,10 +10,11 @@ namespace asperity
   using dealii::Tensor;
   using Matrix = dealii::SparseMatrix<double>;
 
-  TractionSpace::TractionSpace(const SplineSpace<2>    &space,
-                               const BasisTable<2>     &table,
-                               const Edge               edge,
-                               const ContactFormulation formulation)
+  template <int dim>
+  TractionSpace<dim>::TractionSpace(const SplineSpace<dim>  &space,
+                                    const BasisTable<dim>   &table,
+                                    const Edge               edge,
+                                    const ContactFormulation formulation)
     : formulation_(formulation)
     , table(table)
     , edge_functions(space.edge_functions(edge))
@@ -22,7 +23,7 @@ namespace asperity
     std::vector<std::set<unsigned int>> overlap(edge_functions.size());
     for (const auto &entry : table.elements)
       {
-        const ElementView<2>      element(table, entry);
+        const ElementView<dim>    element(table, entry);
         std::vector<unsigned int> functions, columns;
         for (unsigned int a = 0; a < element.n_functions(); ++a)
           {
@@ -49,8 +50,9 @@ namespace asperity
 
 
 
+  template <int dim>
   unsigned int
-  TractionSpace::size() const
+  TractionSpace<dim>::size() const
   {
     return formulation_ == ContactFormulation::mortar ? edge_functions.size() :
                                                         table.JxW.size();
@@ -58,17 +60,19 @@ namespace asperity
 
 
 
+  template <int dim>
   ContactFormulation
-  TractionSpace::formulation() const
+  TractionSpace<dim>::formulation() const
   {
     return formulation_;
   }
 
 
 
+  template <int dim>
   template <typename Action>
   void
-  TractionSpace::for_each_value(const Action &action) const
+  TractionSpace<dim>::for_each_value(const Action &action) const
   {
     if (formulation_ == ContactFormulation::gauss_point)
       {
@@ -78,7 +82,7 @@ namespace asperity
       }
     for (unsigned int e = 0; e < table.elements.size(); ++e)
       {
-        const ElementView<2> element(table, table.elements[e]);
+        const ElementView<dim> element(table, table.elements[e]);
         for (unsigned int q = 0; q < table.points_per_element; ++q)
           for (unsigned int i = 0; i < element_functions[e].size(); ++i)
             action(element.point(q),
@@ -89,8 +93,9 @@ namespace asperity
 
 
 
+  template <int dim>
   std::vector<double>
-  TractionSpace::means(const std::vector<double> &at_points) const
+  TractionSpace<dim>::means(const std::vector<double> &at_points) const
   {
     std::vector<double> mean(size(), 0.);
     for_each_value([&](const unsigned int q, const unsigned int a, double psi) {
@@ -103,8 +108,9 @@ namespace asperity
 
 
 
+  template <int dim>
   std::vector<double>
-  TractionSpace::at_points(const std::vector<double> &tractions) const
+  TractionSpace<dim>::at_points(const std::vector<double> &tractions) const
   {
     std::vector<double> values(table.JxW.size(), 0.);
     for_each_value([&](const unsigned int q, const unsigned int a, double psi) {
@@ -115,8 +121,9 @@ namespace asperity
 
 
 
+  template <int dim>
   std::vector<bool>
-  TractionSpace::inside(const std::vector<double> &tractions) const
+  TractionSpace<dim>::inside(const std::vector<double> &tractions) const
   {
     std::vector<bool> result(table.JxW.size(), true);
     for_each_value([&](const unsigned int q, const unsigned int a, double) {
@@ -128,16 +135,18 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  TractionSpace::add_couplings(dealii::DynamicSparsityPattern &pattern) const
+  TractionSpace<dim>::add_couplings(
+    dealii::DynamicSparsityPattern &pattern) const
   {
     const auto couple = [&](const std::vector<unsigned int> &indices) {
       for (const unsigned int a : indices)
         for (const unsigned int b : indices)
-          for (unsigned int i = 0; i < 2; ++i)
-            for (unsigned int j = 0; j < 2; ++j)
-              pattern.add(displacement_dof<2>(edge_functions[a], i),
-                          displacement_dof<2>(edge_functions[b], j));
+          for (unsigned int i = 0; i < dim; ++i)
+            for (unsigned int j = 0; j < dim; ++j)
+              pattern.add(displacement_dof<dim>(edge_functions[a], i),
+                          displacement_dof<dim>(edge_functions[b], j));
     };
     for (const auto &indices : formulation_ == ContactFormulation::mortar ?
                                  neighbours :
@@ -147,11 +156,12 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  TractionSpace::add_stiffness(const std::vector<double> &factors,
-                               const Vectors             &v,
-                               const Vectors             &w,
-                               Matrix                    &tangent) const
+  TractionSpace<dim>::add_stiffness(const std::vector<double> &factors,
+                                    const Vectors             &v,
+                                    const Vectors             &w,
+                                    Matrix                    &tangent) const
   {
     if (formulation_ == ContactFormulation::mortar)
       add_mortar_stiffness(factors, v, w, tangent);
@@ -161,9 +171,10 @@ namespace asperity
 
 
 
-  std::vector<TractionSpace::Vectors>
-  TractionSpace::moments(const std::vector<double> &factors,
-                         const Vectors             &v) const
+  template <int dim>
+  std::vector<typename TractionSpace<dim>::Vectors>
+  TractionSpace<dim>::moments(const std::vector<double> &factors,
+                              const Vectors             &v) const
   {
     std::vector<Vectors> h(edge_functions.size());
     for (unsigned int a = 0; a < h.size(); ++a)
@@ -171,9 +182,9 @@ namespace asperity
         h[a].resize(neighbours[a].size());
     for (unsigned int e = 0; e < table.elements.size(); ++e)
       {
-        const ElementView<2> element(table, table.elements[e]);
-        const auto          &functions = element_functions[e];
-        const auto          &columns   = element_columns[e];
+        const ElementView<dim> element(table, table.elements[e]);
+        const auto            &functions = element_functions[e];
+        const auto            &columns   = element_columns[e];
         for (unsigned int i = 0; i < functions.size(); ++i)
           {
             const unsigned int a = functions[i];
@@ -198,11 +209,12 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  TractionSpace::add_mortar_stiffness(const std::vector<double> &factors,
-                                      const Vectors             &v,
-                                      const Vectors             &w,
-                                      Matrix                    &tangent) const
+  TractionSpace<dim>::add_mortar_stiffness(const std::vector<double> &factors,
+                                           const Vectors             &v,
+                                           const Vectors             &w,
+                                           Matrix &tangent) const
   {
     const std::vector<Vectors> of_v = moments(factors, v);
     const bool                 same = (&v == &w);
@@ -212,38 +224,44 @@ namespace asperity
     for (unsigned int a = 0; a < of_v.size(); ++a)
       for (unsigned int k = 0; k < of_v[a].size(); ++k)
         for (unsigned int l = 0; l < of_w[a].size(); ++l)
-          for (unsigned int i = 0; i < 2; ++i)
-            for (unsigned int j = 0; j < 2; ++j)
+          for (unsigned int i = 0; i < dim; ++i)
+            for (unsigned int j = 0; j < dim; ++j)
               tangent.add(
-                displacement_dof<2>(edge_functions[neighbours[a][k]], i),
-                displacement_dof<2>(edge_functions[neighbours[a][l]], j),
+                displacement_dof<dim>(edge_functions[neighbours[a][k]], i),
+                displacement_dof<dim>(edge_functions[neighbours[a][l]], j),
                 factors[a] / weight[a] * of_v[a][k][i] * of_w[a][l][j]);
   }
 
 
 
+  template <int dim>
   void
-  TractionSpace::add_pointwise(const std::vector<double> &factors,
-                               const Vectors             &v,
-                               const Vectors             &w,
-                               Matrix                    &tangent) const
+  TractionSpace<dim>::add_pointwise(const std::vector<double> &factors,
+                                    const Vectors             &v,
+                                    const Vectors             &w,
+                                    Matrix                    &tangent) const
   {
     for (unsigned int e = 0; e < table.elements.size(); ++e)
       for (unsigned int q = 0; q < table.points_per_element; ++q)
         {
-          const ElementView<2> element(table, table.elements[e]);
-          const unsigned int   point  = element.point(q);
-          const double         factor = factors[point] * element.JxW(q);
+          const ElementView<dim> element(table, table.elements[e]);
+          const unsigned int     point  = element.point(q);
+          const double           factor = factors[point] * element.JxW(q);
           if (factor == 0.)
             continue;
           for (const unsigned int a : element_columns[e])
             for (const unsigned int b : element_columns[e])
-              for (unsigned int i = 0; i < 2; ++i)
-                for (unsigned int j = 0; j < 2; ++j)
+              for (unsigned int i = 0; i < dim; ++i)
+                for (unsigned int j = 0; j < dim; ++j)
                   tangent.add(element.dof(a, i),
                               element.dof(b, j),
                               factor * element.N(q, a) * element.N(q, b) *
                                 v[point][i] * w[point][j]);
         }
   }
+
+
+
+  template class TractionSpace<2>;
+  template class TractionSpace<3>;
 } // namespace asperity

@@ -150,7 +150,7 @@ namespace asperity
 
 
   double
-  plastic_work(const SolidAssembler             &chip,
+  plastic_work(const SolidAssembler<2>             &chip,
                const std::vector<MaterialState> &states,
                const LoadParameters             &start)
   {

@@ -56,7 +56,7 @@ namespace asperity
   Scene::build_chip(const SceneParameters &parameters)
   {
     chip =
-      std::make_unique<SolidAssembler>(space,
+      std::make_unique<SolidAssembler<2>>(space,
                                        geometry,
                                        law,
                                        Kinematics::plane_strain,
@@ -84,7 +84,7 @@ namespace asperity
     options.penalty            = penalty_;
     options.points_per_element = parameters.contact.quadrature;
     options.interface          = parameters.interface;
-    contact                    = std::make_unique<ContactAssembler>(
+    contact                    = std::make_unique<ContactAssembler<2>>(
       space, geometry, Edge::top, tool, options);
     surface_layer =
       std::make_unique<SurfaceLayer>(chip->table(), contact->table(), length);

@@ -43,7 +43,7 @@ namespace asperity
     return to_bytes([&](OutputArchive &archive) {
       archive << column_names() << run.state() << scene.chip->history()
               << scene.contact->multipliers() << scene.contact->hints();
-      if (const ShearTraction *shear = scene.contact->shear())
+      if (const ShearTraction<2> *shear = scene.contact->shear())
         archive << shear->history().tractions << shear->history().pressures
                 << shear->history().positions;
       if (scene.lubricant)
@@ -68,7 +68,7 @@ namespace asperity
     std::vector<MaterialState> history     = scene.chip->history();
     std::vector<double>        multipliers = scene.contact->multipliers(),
                         hints              = scene.contact->hints();
-    ShearTraction::History shear;
+    ShearTraction<2>::History shear;
     if (scene.contact->shear() != nullptr)
       shear = scene.contact->shear()->history();
     from_bytes(bytes, "The state of the run", [&](InputArchive &archive) {

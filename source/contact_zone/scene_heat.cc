@@ -50,8 +50,8 @@ namespace asperity
                        const SplineSpace<2>   &space,
                        const PatchGeometry<2> &geometry,
                        const double            period,
-                       SolidAssembler         &chip,
-                       const ContactAssembler &contact)
+                       SolidAssembler<2>         &chip,
+                       const ContactAssembler<2> &contact)
     : parameters(parameters.heat)
     , has_oil(parameters.lubrication.model != LubricantModel::none)
     , start(parameters.load.temperature)

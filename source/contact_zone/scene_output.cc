@@ -135,7 +135,7 @@ namespace asperity
     const auto                       &contact = *scene.contact;
     std::vector<double>               gap, oil_pressure;
     std::vector<dealii::Tensor<1, 2>> traction;
-    const ShearTraction              *shear = contact.shear();
+    const ShearTraction<2>              *shear = contact.shear();
     // per present length
     std::vector<double>       pressure = contact.pressure(), shear_traction;
     const std::vector<double> stretch  = contact.stretch(u);

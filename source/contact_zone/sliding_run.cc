@@ -351,7 +351,7 @@ namespace asperity
     first_guess.reset();
     if (scene.heat)
       scene.heat->advance(u, dt, frictional_power(dt));
-    if (ShearTraction *shear = scene.contact->shear())
+    if (ShearTraction<2> *shear = scene.contact->shear())
       shear->accept();
     if (scene.lubricant)
       {

@@ -29,7 +29,7 @@ namespace asperity
   void
   SlidingRun::renew_interface()
   {
-    ShearTraction *shear = scene.contact->shear();
+    ShearTraction<2> *shear = scene.contact->shear();
     if (shear == nullptr)
       return;
     std::vector<double> k(state_.coverage.size(), 0.);
@@ -56,7 +56,7 @@ namespace asperity
   std::vector<double>
   SlidingRun::frictional_power(const double dt) const
   {
-    const ShearTraction *shear = scene.contact->shear();
+    const ShearTraction<2> *shear = scene.contact->shear();
     if (shear == nullptr)
       return std::vector<double>(scene.contact->table().JxW.size(), 0.);
     std::vector<double> power = shear->dissipation();
@@ -70,7 +70,7 @@ namespace asperity
   void
   SlidingRun::record_interface(FrictionRow &row) const
   {
-    const ContactState contact   = scene.contact->state();
+    const ContactState<2> contact   = scene.contact->state();
     const double       direction = protocol_.direction(row.time);
     row.interface_T_x            = contact.shear_force[0];
     row.interface_T_y            = contact.shear_force[1];

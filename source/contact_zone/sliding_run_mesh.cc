@@ -63,7 +63,7 @@ namespace asperity
   double
   SlidingRun::present_friction() const
   {
-    const ContactState contact = scene.contact->state();
+    const ContactState<2> contact = scene.contact->state();
     return friction_coefficient(contact.force[0],
                                 contact.force[1],
                                 protocol_.direction(state_.time));

@@ -19,7 +19,7 @@ namespace asperity
   void
   SlidingRun::record(const double seconds)
   {
-    const ContactState contact = scene.contact->state();
+    const ContactState<2> contact = scene.contact->state();
     FrictionRow        row;
     row.step             = state_.step;
     row.time             = state_.time;
@@ -101,7 +101,7 @@ namespace asperity
   std::string
   SlidingRun::excess_shear() const
   {
-    const ShearTraction *shear = scene.contact->shear();
+    const ShearTraction<2> *shear = scene.contact->shear();
     if (shear == nullptr || parameters.interface.uses_shear_strength())
       return "";
     const std::vector<double>  k     = shear_strength();

@@ -179,7 +179,7 @@ namespace asperity
 
 
 
-  const SolidAssembler &
+  const SolidAssembler<2> &
   FluidStructure::body_assembler() const
   {
     return assembler;

@@ -110,52 +110,56 @@ namespace asperity
 
 
 
-  ElementGradients::ElementGradients(const unsigned int n_functions,
-                                     const unsigned int n_points,
-                                     const bool         axisymmetric)
+  template <>
+  ElementGradients<2>::ElementGradients(const unsigned int n_functions,
+                                        const unsigned int n_points,
+                                        const bool         axisymmetric)
     : n(n_functions)
-    , stride(neighbours::padded(2 * n))
+    , row_length_(neighbours::padded(2 * n))
     , n_points_(n_points)
     , n_components_(axisymmetric ? 3 : 2)
     , values((n_points + group_size - 1) / group_size * group_size *
-               n_components_ * stride,
+               n_components_ * row_length_,
              0.)
   {}
 
 
 
+  template <>
   void
-  ElementGradients::set(const unsigned int          point,
-                        const unsigned int          a,
-                        const dealii::Tensor<1, 2> &gradient,
-                        const double                hoop)
+  ElementGradients<2>::set(const unsigned int          point,
+                           const unsigned int          a,
+                           const dealii::Tensor<1, 2> &gradient,
+                           const double                hoop)
   {
-    double *const first = &values[point * n_components_ * stride + 2 * a];
+    double *const first = &values[point * n_components_ * row_length_ + 2 * a];
     for (unsigned int J = 0; J < 2; ++J)
-      first[J * stride] = first[J * stride + 1] = gradient[J];
+      first[J * row_length_] = first[J * row_length_ + 1] = gradient[J];
     // Radial displacements alone stretch the hoop.
     if (n_components_ == 3)
-      first[2 * stride] = hoop;
+      first[2 * row_length_] = hoop;
   }
 
 
 
+  template <>
   void
-  ElementGradients::deform(const double *u, dealii::Tensor<2, 3> *F) const
+  ElementGradients<2>::deform(const double *u, dealii::Tensor<2, 3> *F) const
   {
-    deform_element(n_components_, n_points_, stride, values.data(), u, F);
+    deform_element(n_components_, n_points_, row_length_, values.data(), u, F);
   }
 
 
 
+  template <>
   void
-  ElementGradients::add_forces(const double           *weights,
-                               const MaterialResponse *responses,
-                               double                 *forces) const
+  ElementGradients<2>::add_forces(const double           *weights,
+                                  const MaterialResponse *responses,
+                                  double                 *forces) const
   {
     add_point_forces(n_components_,
                      n_points_,
-                     stride,
+                     row_length_,
                      values.data(),
                      weights,
                      responses,

@@ -13,7 +13,7 @@ namespace asperity
     using neighbours::Pack;
     using neighbours::width;
 
-    constexpr unsigned int group_size = ElementGradients::group_size;
+    constexpr unsigned int group_size = ElementGradients<2>::group_size;
 
     /** Row of dP_iJ/dF of a point times weight and gradients, for one i and J:
      *  [2 b + l]. */
@@ -143,10 +143,11 @@ namespace asperity
 
 
 
+  template <>
   void
-  ElementStiffness::integrate(const ElementGradients &gradients,
-                              const double           *weights,
-                              const MaterialResponse *responses)
+  ElementStiffness<2>::integrate(const ElementGradients<2> &gradients,
+                                 const double              *weights,
+                                 const MaterialResponse    *responses)
   {
     n      = gradients.n_functions();
     stride = gradients.size();

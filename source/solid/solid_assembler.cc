@@ -13,10 +13,11 @@ namespace asperity
   using Vector = dealii::Vector<double>;
 
   /** Work space of one element. */
-  struct SolidAssembler::Scratch
+  template <int dim>
+  struct SolidAssembler<dim>::Scratch
   {
     std::vector<double>           displacement, residual;
-    ElementStiffness              K;
+    ElementStiffness<dim>         K;
     std::vector<Tensor<2, 3>>     F; // of each point
     std::vector<MaterialResponse> responses;
   };
@@ -27,8 +28,9 @@ namespace asperity
   {
     /** Functions of each element in order of their index, so that rows of the
      *  matrix are filled in one sweep. */
+    template <int dim>
     void
-    sort_functions(BasisTable<2> &table)
+    sort_functions(BasisTable<dim> &table)
     {
       for (auto &element : table.elements)
         {
@@ -57,19 +59,21 @@ namespace asperity
 
 
 
-  SolidAssembler::SolidAssembler(std::shared_ptr<const SplineSpace<2>> space,
-                                 const PatchGeometry<2>               &geometry,
-                                 std::shared_ptr<const MaterialLaw>    law,
-                                 const Kinematics   kinematics,
-                                 const unsigned int n_quadrature)
+  template <int dim>
+  SolidAssembler<dim>::SolidAssembler(
+    std::shared_ptr<const SplineSpace<dim>> space,
+    const PatchGeometry<dim>               &geometry,
+    std::shared_ptr<const MaterialLaw>      law,
+    const Kinematics                        kinematics,
+    const unsigned int                      n_quadrature)
     : space_(std::move(space))
     , law_(std::move(law))
     , kinematics(kinematics)
     , table_(tabulate_cells(*space_,
                             geometry,
-                            dealii::QGauss<2>(n_quadrature > 0 ?
-                                                n_quadrature :
-                                                space_->degree() + 1)))
+                            dealii::QGauss<dim>(n_quadrature > 0 ?
+                                                  n_quadrature :
+                                                  space_->degree() + 1)))
     , old_history(table_.JxW.size())
     , new_history(table_.JxW.size())
     , mises(table_.JxW.size(), 0.)
@@ -83,16 +87,17 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  SolidAssembler::tabulate_elements()
+  SolidAssembler<dim>::tabulate_elements()
   {
     for (const auto &entry : table_.elements)
       {
-        const ElementView<2> element(table_, entry);
-        const unsigned int   n = element.n_functions();
+        const ElementView<dim> element(table_, entry);
+        const unsigned int     n = element.n_functions();
         dofs.emplace_back();
         for (unsigned int a = 0; a < n; ++a)
-          for (unsigned int c = 0; c < 2; ++c)
+          for (unsigned int c = 0; c < dim; ++c)
             dofs.back().push_back(element.dof(a, c));
         gradients.emplace_back(n,
                                table_.points_per_element,
@@ -109,8 +114,10 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  SolidAssembler::add_couplings(dealii::DynamicSparsityPattern &pattern) const
+  SolidAssembler<dim>::add_couplings(
+    dealii::DynamicSparsityPattern &pattern) const
   {
     for (const auto &element_dofs : dofs)
       for (const unsigned int row : element_dofs)
@@ -122,21 +129,24 @@ namespace asperity
 
 
 
+  template <int dim>
   bool
-  SolidAssembler::evaluate_law(const ElementView<2> &element,
-                               const bool            with_tangent,
-                               Scratch              &s)
+  SolidAssembler<dim>::evaluate_law(const ElementView<dim> &element,
+                                    const bool              with_tangent,
+                                    Scratch                &s)
   {
     const unsigned int first = element.point(0);
     s.responses.resize(table_.points_per_element);
     for (unsigned int q = 0; q < s.responses.size(); ++q)
       s.responses[q].state = new_history[first + q];
-    law_->evaluate_points(s.responses.size(),
-                          s.F.data(),
-                          &old_history[first],
-                          dt,
-                          with_tangent,
-                          s.responses.data());
+    const auto evaluate =
+      dim == 2 ? &MaterialLaw::evaluate_points : &MaterialLaw::evaluate_general;
+    (law_.get()->*evaluate)(s.responses.size(),
+                            s.F.data(),
+                            &old_history[first],
+                            dt,
+                            with_tangent,
+                            s.responses.data());
     for (unsigned int q = 0; q < s.responses.size(); ++q)
       {
         if (s.responses[q].status != LawStatus::ok)
@@ -149,18 +159,19 @@ namespace asperity
 
 
 
+  template <int dim>
   bool
-  SolidAssembler::integrate(const unsigned int e,
-                            const Vector      &u,
-                            const bool         with_tangent,
-                            Scratch           &s)
+  SolidAssembler<dim>::integrate(const unsigned int e,
+                                 const Vector      &u,
+                                 const bool         with_tangent,
+                                 Scratch           &s)
   {
-    const ElementView<2>    element(table_, table_.elements[e]);
-    const ElementGradients &grad_N = gradients[e];
+    const ElementView<dim>       element(table_, table_.elements[e]);
+    const ElementGradients<dim> &grad_N = gradients[e];
     s.displacement.assign(grad_N.size(), 0.);
     s.residual.assign(grad_N.size(), 0.);
     for (unsigned int i = 0; i < dofs[e].size(); ++i)
-      s.displacement[i] = u(dofs[e][i]);
+      s.displacement[grad_N.index(i / dim, i % dim)] = u(dofs[e][i]);
     s.F.resize(table_.points_per_element);
     grad_N.deform(s.displacement.data(), s.F.data());
     if (!evaluate_law(element, with_tangent, s))
@@ -174,10 +185,11 @@ namespace asperity
 
 
 
+  template <int dim>
   bool
-  SolidAssembler::add(const Vector                 &u,
-                      Vector                       &residual,
-                      dealii::SparseMatrix<double> *tangent)
+  SolidAssembler<dim>::add(const Vector                 &u,
+                           Vector                       &residual,
+                           dealii::SparseMatrix<double> *tangent)
   {
     Scratch s;
     if (tangent != nullptr)
@@ -187,7 +199,8 @@ namespace asperity
         if (!integrate(e, u, tangent != nullptr, s))
           return false;
         for (unsigned int i = 0; i < dofs[e].size(); ++i)
-          residual(dofs[e][i]) += s.residual[i];
+          residual(dofs[e][i]) +=
+            s.residual[gradients[e].index(i / dim, i % dim)];
         if (tangent != nullptr)
           scatter.add(e, s.K, *tangent);
       }
@@ -196,24 +209,27 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  SolidAssembler::set_time_step(const double new_dt)
+  SolidAssembler<dim>::set_time_step(const double new_dt)
   {
     dt = new_dt;
   }
 
 
 
+  template <int dim>
   void
-  SolidAssembler::accept()
+  SolidAssembler<dim>::accept()
   {
     old_history = new_history;
   }
 
 
 
+  template <int dim>
   double
-  SolidAssembler::largest_strain_increment() const
+  SolidAssembler<dim>::largest_strain_increment() const
   {
     double largest = 0.;
     for (std::size_t q = 0; q < old_history.size(); ++q)
@@ -225,8 +241,9 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  SolidAssembler::initialize(const MaterialState &state)
+  SolidAssembler<dim>::initialize(const MaterialState &state)
   {
     std::fill(old_history.begin(), old_history.end(), state);
     std::fill(new_history.begin(), new_history.end(), state);
@@ -234,16 +251,18 @@ namespace asperity
 
 
 
+  template <int dim>
   const std::vector<MaterialState> &
-  SolidAssembler::history() const
+  SolidAssembler<dim>::history() const
   {
     return old_history;
   }
 
 
 
+  template <int dim>
   void
-  SolidAssembler::set_history(const std::vector<MaterialState> &history)
+  SolidAssembler<dim>::set_history(const std::vector<MaterialState> &history)
   {
     AssertDimension(history.size(), old_history.size());
     old_history = history;
@@ -252,22 +271,24 @@ namespace asperity
 
 
 
+  template <int dim>
   const std::vector<double> &
-  SolidAssembler::mises_stress() const
+  SolidAssembler<dim>::mises_stress() const
   {
     return mises;
   }
 
 
 
+  template <int dim>
   void
-  SolidAssembler::assemble_mass(dealii::SparseMatrix<double> &mass) const
+  SolidAssembler<dim>::assemble_mass(dealii::SparseMatrix<double> &mass) const
   {
     mass                 = 0.;
     const double density = law_->density();
     for (const auto &entry : table_.elements)
       {
-        const ElementView<2> element(table_, entry);
+        const ElementView<dim> element(table_, entry);
         for (unsigned int a = 0; a < element.n_functions(); ++a)
           for (unsigned int b = 0; b < element.n_functions(); ++b)
             {
@@ -275,7 +296,7 @@ namespace asperity
               for (unsigned int q = 0; q < table_.points_per_element; ++q)
                 sum +=
                   density * element.N(q, a) * element.N(q, b) * element.JxW(q);
-              for (unsigned int c = 0; c < 2; ++c)
+              for (unsigned int c = 0; c < dim; ++c)
                 mass.add(element.dof(a, c), element.dof(b, c), sum);
             }
       }
@@ -283,13 +304,14 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  SolidAssembler::add_body_force(const Tensor<1, 2> &force,
-                                 Vector             &external) const
+  SolidAssembler<dim>::add_body_force(const Tensor<1, dim> &force,
+                                      Vector               &external) const
   {
     for (const auto &entry : table_.elements)
       {
-        const ElementView<2> element(table_, entry);
+        const ElementView<dim> element(table_, entry);
         for (unsigned int q = 0; q < table_.points_per_element; ++q)
           element.add_force(q, element.JxW(q) * force, external);
       }
@@ -297,25 +319,33 @@ namespace asperity
 
 
 
-  const BasisTable<2> &
-  SolidAssembler::table() const
+  template <int dim>
+  const BasisTable<dim> &
+  SolidAssembler<dim>::table() const
   {
     return table_;
   }
 
 
 
-  const SplineSpace<2> &
-  SolidAssembler::space() const
+  template <int dim>
+  const SplineSpace<dim> &
+  SolidAssembler<dim>::space() const
   {
     return *space_;
   }
 
 
 
+  template <int dim>
   const MaterialLaw &
-  SolidAssembler::law() const
+  SolidAssembler<dim>::law() const
   {
     return *law_;
   }
+
+
+
+  template class SolidAssembler<2>;
+  template class SolidAssembler<3>;
 } // namespace asperity

@@ -5,7 +5,7 @@ namespace asperity
 {
   using Vector = dealii::Vector<double>;
 
-  SolidStep::SolidStep(SolidAssembler             &solid,
+  SolidStep::SolidStep(DeformableBody             &solid,
                        Equilibrium                &equilibrium,
                        const Vector               &u,
                        const std::optional<double> spectral_radius)

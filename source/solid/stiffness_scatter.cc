@@ -11,9 +11,11 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  StiffnessScatter::find(const dealii::SparsityPattern                &pattern,
-                         const std::vector<std::vector<unsigned int>> &dofs)
+  StiffnessScatter<dim>::find(
+    const dealii::SparsityPattern                &pattern,
+    const std::vector<std::vector<unsigned int>> &dofs)
   {
     const bool is_last =
       &pattern == last && pattern.n_nonzero_elements() == last_size;
@@ -27,28 +29,31 @@ namespace asperity
         entries[e].clear();
         for (std::size_t row = 0; row < dofs[e].size(); ++row)
           for (std::size_t column = 0; column < dofs[e].size(); ++column)
-            if (column % 2 == 0 || column / 2 == row / 2)
+            if (column % dim == 0 || column / dim == row / dim)
               entries[e].push_back(pattern(dofs[e][row], dofs[e][column]));
       }
   }
 
 
 
+  template <int dim>
   bool
-  StiffnessScatter::fits(const dealii::SparsityPattern                &pattern,
-                         const std::vector<std::vector<unsigned int>> &dofs,
-                         const std::size_t n_elements) const
+  StiffnessScatter<dim>::fits(
+    const dealii::SparsityPattern                &pattern,
+    const std::vector<std::vector<unsigned int>> &dofs,
+    const std::size_t                             n_elements) const
   {
     if (entries.size() != dofs.size())
       return false;
     for (std::size_t e = 0; e < n_elements; ++e)
       {
         // First row, last function; last row, first function.
-        const std::size_t n = dofs[e].size() / 2;
-        if (pattern(dofs[e].front(), dofs[e][n > 1 ? 2 * n - 2 : 1]) !=
-              entries[e][n] ||
+        const std::size_t n = dofs[e].size() / dim, per_row = n - 1 + dim;
+        if (pattern(dofs[e].front(),
+                    dofs[e][n > 1 ? dim * (n - 1) : dim - 1]) !=
+              entries[e][per_row - 1] ||
             pattern(dofs[e].back(), dofs[e].front()) !=
-              entries[e][(2 * n - 1) * (n + 1)])
+              entries[e][(dim * n - 1) * per_row])
           return false;
       }
     return true;
@@ -56,29 +61,49 @@ namespace asperity
 
 
 
+  namespace
+  {
+    /** Adds the block of a function other than the row's own. */
+    template <int dim>
+    inline void
+    add_block(const ElementStiffness<dim> &K, const double *from, double *to)
+    {
+      if constexpr (dim == 2)
+        *(Pair *)to += *(const Pair *)from;
+      else
+        for (unsigned int l = 0; l < dim; ++l)
+          to[l] += from[l * K.component_stride()];
+    }
+  } // namespace
+
+
+
+  template <int dim>
   void
-  StiffnessScatter::add(const unsigned int            element,
-                        const ElementStiffness       &K,
-                        dealii::SparseMatrix<double> &matrix) const
+  StiffnessScatter<dim>::add(const unsigned int            element,
+                             const ElementStiffness<dim>  &K,
+                             dealii::SparseMatrix<double> &matrix) const
   {
     // The diagonal comes first in each row of a square matrix: that of the
     // first row is where its values start.
-    double *const       values   = &matrix.diag_element(0);
-    const unsigned int *entry    = entries[element].data();
-    const auto          add_pair = [&](const double *pair) {
-      Pair &at = *(Pair *)(values + *entry++);
-      at += *(const Pair *)pair;
-    };
+    double *const          values   = &matrix.diag_element(0);
+    const unsigned int    *entry    = entries[element].data();
+    constexpr unsigned int function = ElementStiffness<dim>::function_stride();
     for (unsigned int a = 0; a < K.size(); ++a)
-      for (unsigned int i = 0; i < 2; ++i)
+      for (unsigned int i = 0; i < dim; ++i)
         {
           const double *const row = K.row(a, i);
           for (unsigned int b = 0; b < a; ++b)
-            add_pair(row + 2 * b);
-          values[*entry++] += row[2 * a];
-          values[*entry++] += row[2 * a + 1];
+            add_block(K, row + function * b, values + *entry++);
+          for (unsigned int l = 0; l < dim; ++l)
+            values[*entry++] += row[function * a + l * K.component_stride()];
           for (unsigned int b = a + 1; b < K.size(); ++b)
-            add_pair(row + 2 * b);
+            add_block(K, row + function * b, values + *entry++);
         }
   }
+
+
+
+  template class StiffnessScatter<2>;
+  template class StiffnessScatter<3>;
 } // namespace asperity

@@ -48,7 +48,7 @@ namespace
         return Point<2>(p[0] + 0.05 * p[1] * p[1],
                         p[1] * (1. + 0.02 * p[0] * (2. - p[0])));
       });
-      std::shared_ptr<const RigidObstacle> obstacle;
+      std::shared_ptr<const RigidObstacle<2>> obstacle;
       if (std::get<1>(GetParam()))
         obstacle =
           std::make_shared<CurveObstacle>(tool_curve(), CurveSide::right);
@@ -57,7 +57,7 @@ namespace
       ContactOptions options;
       options.formulation = std::get<0>(GetParam());
       options.penalty     = penalty;
-      contact             = std::make_unique<ContactAssembler>(
+      contact             = std::make_unique<ContactAssembler<2>>(
         space, geometry, Edge::top, obstacle, options);
       Tensor<1, 2> offset;
       offset[0] = 0.13;
@@ -145,7 +145,7 @@ namespace
 
     std::shared_ptr<const SplineSpace<2>> space;
     PatchGeometry<2>                      geometry;
-    std::unique_ptr<ContactAssembler>     contact;
+    std::unique_ptr<ContactAssembler<2>>  contact;
     Vector                                u, direction;
   };
 
@@ -304,7 +304,7 @@ namespace
     offset[1] = 0.2;
     contact->set_obstacle_offset(offset);
     EXPECT_EQ(residual(u).linfty_norm(), 0.);
-    const ContactState state = contact->state();
+    const ContactState<2> state = contact->state();
     EXPECT_EQ(state.contact_fraction, 0.);
     EXPECT_EQ(state.max_pressure, 0.);
     EXPECT_LT(state.max_penetration, 1e-300);

@@ -38,8 +38,8 @@ namespace example
 
     /** 96 x 48 around the origin of x, the surface at y = 0. */
     HalfPlane
-    half_plane(const Discretization                &discretization,
-               std::shared_ptr<const RigidObstacle> obstacle)
+    half_plane(const Discretization                   &discretization,
+               std::shared_ptr<const RigidObstacle<2>> obstacle)
     {
       constexpr double size = 48., coarse = 4.;
       auto             space = std::make_shared<SplineSpace<2>>(
@@ -268,7 +268,7 @@ namespace example
     const double       h = 3. / n, length = 9.;
     const bool         is_wave = (tool == IroningTool::wave_without_edge);
     const double       depth   = is_wave ? 0.6 : 0.3;
-    std::shared_ptr<const RigidObstacle> obstacle;
+    std::shared_ptr<const RigidObstacle<2>> obstacle;
     if (is_wave)
       obstacle = periodic_tool(
         [=](const double x) {

@@ -17,12 +17,13 @@ namespace example
 
 
 
-  GapPoint
-  Ceiling::gap(const Point<2> &x, double &) const
+  GapPoint<2>
+  Ceiling::gap(const Point<2> &x, Point<1> &) const
   {
-    GapPoint gap;
-    gap.gap       = height - x[1];
-    gap.normal[1] = -1.;
+    GapPoint<2> gap;
+    gap.gap          = height - x[1];
+    gap.normal[1]    = -1.;
+    gap.direction[0] = turned(gap.normal);
     return gap;
   }
 
@@ -35,18 +36,19 @@ namespace example
 
 
 
-  GapPoint
-  Cylinder::gap(const Point<2> &x, double &) const
+  GapPoint<2>
+  Cylinder::gap(const Point<2> &x, Point<1> &) const
   {
     // From the lowest point, since distance - radius would lose the digits of a
     // gap that is small beside the radius.
     const auto             s = x - lowest_point;
     const dealii::Point<2> from_center(s[0], s[1] - radius);
     const double           distance = from_center.norm();
-    GapPoint               gap;
+    GapPoint<2>            gap;
     gap.gap    = (s.norm_square() - 2. * radius * s[1]) / (distance + radius);
     gap.normal = from_center / distance;
-    gap.curvature = 1. / radius;
+    gap.direction[0] = turned(gap.normal);
+    gap.curvature[0] = 1. / radius;
     return gap;
   }
 
@@ -90,20 +92,21 @@ namespace example
 
 
 
-  ContactProblem::ContactProblem(std::shared_ptr<const SplineSpace<2>> space,
-                                 std::shared_ptr<const MaterialLaw>    law,
-                                 std::shared_ptr<const RigidObstacle>  obstacle,
-                                 const ContactOptions   &contact_options,
-                                 const Support           support,
-                                 const PatchGeometry<2> &geometry)
+  ContactProblem::ContactProblem(
+    std::shared_ptr<const SplineSpace<2>>   space,
+    std::shared_ptr<const MaterialLaw>      law,
+    std::shared_ptr<const RigidObstacle<2>> obstacle,
+    const ContactOptions                   &contact_options,
+    const Support                           support,
+    const PatchGeometry<2>                 &geometry)
     : u(2 * space->n_functions())
     , space(space)
-    , solid(std::make_unique<SolidAssembler>(space, geometry, law))
-    , contact(std::make_unique<ContactAssembler>(space,
-                                                 geometry,
-                                                 Edge::top,
-                                                 obstacle,
-                                                 contact_options))
+    , solid(std::make_unique<SolidAssembler<2>>(space, geometry, law))
+    , contact(std::make_unique<ContactAssembler<2>>(space,
+                                                    geometry,
+                                                    Edge::top,
+                                                    obstacle,
+                                                    contact_options))
   {
     dealii::AffineConstraints<double> constraints;
     for (const unsigned int a : space->edge_functions(Edge::bottom))

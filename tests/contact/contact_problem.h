@@ -13,26 +13,26 @@
 namespace example
 {
   /** The half-plane above y = height; the body is below. */
-  class Ceiling : public asperity::RigidObstacle
+  class Ceiling : public asperity::RigidObstacle<2>
   {
   public:
     explicit Ceiling(const double height);
 
-    asperity::GapPoint
-    gap(const dealii::Point<2> &x, double &hint) const override;
+    asperity::GapPoint<2>
+    gap(const dealii::Point<2> &x, dealii::Point<1> &hint) const override;
 
   private:
     double height;
   };
 
   /** A disc above its lowest point. */
-  class Cylinder : public asperity::RigidObstacle
+  class Cylinder : public asperity::RigidObstacle<2>
   {
   public:
     Cylinder(const dealii::Point<2> &lowest_point, const double radius);
 
-    asperity::GapPoint
-    gap(const dealii::Point<2> &x, double &hint) const override;
+    asperity::GapPoint<2>
+    gap(const dealii::Point<2> &x, dealii::Point<1> &hint) const override;
 
   private:
     dealii::Point<2> lowest_point;
@@ -62,10 +62,10 @@ namespace example
   class ContactProblem
   {
   public:
-    ContactProblem(std::shared_ptr<const asperity::SplineSpace<2>> space,
-                   std::shared_ptr<const asperity::MaterialLaw>    law,
-                   std::shared_ptr<const asperity::RigidObstacle>  obstacle,
-                   const asperity::ContactOptions                 &options,
+    ContactProblem(std::shared_ptr<const asperity::SplineSpace<2>>   space,
+                   std::shared_ptr<const asperity::MaterialLaw>      law,
+                   std::shared_ptr<const asperity::RigidObstacle<2>> obstacle,
+                   const asperity::ContactOptions                   &options,
                    const Support support = Support::clamped_bottom,
                    const asperity::PatchGeometry<2> &geometry = {});
 
@@ -96,8 +96,8 @@ namespace example
     asperity::NewtonStatistics                      statistics;
     asperity::ConvergenceReport                     last;
     std::shared_ptr<const asperity::SplineSpace<2>> space;
-    std::unique_ptr<asperity::SolidAssembler>       solid;
-    std::unique_ptr<asperity::ContactAssembler>     contact;
+    std::unique_ptr<asperity::SolidAssembler<2>>    solid;
+    std::unique_ptr<asperity::ContactAssembler<2>>  contact;
     std::unique_ptr<asperity::Equilibrium>          equilibrium;
   };
 } // namespace example

@@ -25,8 +25,8 @@ namespace
     example::HalfPlane body = example::hertz(discretization);
     ASSERT_TRUE(std::isfinite(body.problem->press(body.force, body.depth)))
       << body.problem->last.reason;
-    const ContactState state  = body.problem->contact->state();
-    const double       length = 96.;
+    const ContactState<2> state  = body.problem->contact->state();
+    const double          length = 96.;
     EXPECT_NEAR(state.max_pressure,
                 example::hertz_pressure(body, 0.),
                 0.01 * example::hertz_pressure(body, 0.));

@@ -86,7 +86,7 @@ namespace
     ContactOptions options;
     options.formulation = formulation;
     options.penalty     = 1e8;
-    std::shared_ptr<const RigidObstacle> ceiling =
+    std::shared_ptr<const RigidObstacle<2>> ceiling =
       std::make_shared<example::Ceiling>(1.);
     if (spline)
       ceiling = example::periodic_tool([](const double) { return 1.; }, 2., 7);
@@ -126,7 +126,7 @@ namespace
 
   /** The parallel of a curve at a distance, on the side of the body; of its
    *  curvature, which the residual does not need, nothing is said. */
-  class Parallel : public RigidObstacle
+  class Parallel : public RigidObstacle<2>
   {
   public:
     Parallel(const SplineCurve &curve, const double distance)
@@ -134,10 +134,10 @@ namespace
       , distance(distance)
     {}
 
-    GapPoint
-    gap(const Point<2> &x, double &hint) const override
+    GapPoint<2>
+    gap(const Point<2> &x, Point<1> &hint) const override
     {
-      GapPoint gap = curve.gap(x, hint);
+      GapPoint<2> gap = curve.gap(x, hint);
       gap.gap -= distance;
       return gap;
     }
@@ -188,16 +188,16 @@ namespace
     ContactOptions    options;
     options.formulation = formulation;
     options.penalty     = penalty;
-    SolidAssembler   solid(space,
-                         geometry,
-                         std::make_shared<NeoHooke>(elasticity()));
-    ContactAssembler contact(space,
-                             geometry,
-                             Edge::top,
-                             std::make_shared<Parallel>(
-                               insert_knots(edge, {0.15, 0.7, 0.75, 1.1, 1.9}),
-                               pressure / penalty),
-                             options);
+    SolidAssembler<2>   solid(space,
+                            geometry,
+                            std::make_shared<NeoHooke>(elasticity()));
+    ContactAssembler<2> contact(
+      space,
+      geometry,
+      Edge::top,
+      std::make_shared<Parallel>(
+        insert_knots(edge, {0.15, 0.7, 0.75, 1.1, 1.9}), pressure / penalty),
+      options);
 
     dealii::Vector<double> u(2 * space->n_functions()), R(u), forces(u);
     for (unsigned int a = 0; a < space->n_functions(); ++a)

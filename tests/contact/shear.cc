@@ -46,7 +46,7 @@ namespace
   constexpr double k = 2e4;
 
   void
-  set_strength(ContactAssembler &contact, const double k)
+  set_strength(ContactAssembler<2> &contact, const double k)
   {
     const std::size_t n = contact.pressure().size();
     contact.shear()->set_interface(std::vector<double>(n, k),
@@ -104,7 +104,7 @@ namespace
     }
 
     std::shared_ptr<const SplineSpace<2>> space;
-    ContactAssembler                      contact;
+    ContactAssembler<2>                   contact;
     Vector                                u, direction;
   };
 
@@ -151,7 +151,7 @@ namespace
     Tensor<1, 2> sum;
     for (unsigned int i = 0; i < R.size(); ++i)
       sum[i % 2] -= R(i);
-    const ContactState state = edge.contact.state();
+    const ContactState<2> state = edge.contact.state();
     EXPECT_LT((state.force - sum).norm(), 1e-12 * sum.norm());
     EXPECT_GT(state.shear_force.norm(), 1e-3 * sum.norm());
     for (const double work : edge.contact.shear()->dissipation())
@@ -282,13 +282,13 @@ namespace
           const ContactOptions options =
             contact_options({formulation, InterfaceShear::shear_factor},
                             penalty);
-          ContactAssembler contact(space,
-                                   {},
-                                   Edge::top,
-                                   std::make_shared<example::Ceiling>(1.),
-                                   options);
-          Vector           u(2 * space->n_functions()), R(u.size());
-          const auto       move = [&](const double x, const double y) {
+          ContactAssembler<2> contact(space,
+                                      {},
+                                      Edge::top,
+                                      std::make_shared<example::Ceiling>(1.),
+                                      options);
+          Vector              u(2 * space->n_functions()), R(u.size());
+          const auto          move = [&](const double x, const double y) {
             for (unsigned int i = 0; i < u.size(); i += 2)
               {
                 u(i)     = x;
@@ -352,10 +352,10 @@ namespace
     example::HalfPlane body  = example::hertz(discretization);
     const double       depth = body.problem->press(body.force, body.depth);
     ASSERT_TRUE(std::isfinite(depth)) << body.problem->last.reason;
-    ContactAssembler &contact = *body.problem->contact;
+    ContactAssembler<2> &contact = *body.problem->contact;
     // What the pressing has left behind is not of their theory.
     contact.shear()->accept();
-    ShearTraction::History history = contact.shear()->history();
+    ShearTraction<2>::History history = contact.shear()->history();
     history.tractions.assign(history.tractions.size(), 0.);
     contact.shear()->set_history(history);
     const double full = 0.2 * body.force;

@@ -38,7 +38,7 @@ namespace
   double
   heat_of_points(const CompleteRun &run)
   {
-    const SolidAssembler &chip = *run.scene.chip;
+    const SolidAssembler<2> &chip = *run.scene.chip;
     double                heat = 0.;
     for (std::size_t q = 0; q < chip.history().size(); ++q)
       heat += chip.table().JxW[q] * capacity *

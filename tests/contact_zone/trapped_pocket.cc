@@ -57,7 +57,7 @@ namespace
     {
       ContactOptions options;
       options.penalty = 100. * E * n_columns;
-      contact         = std::make_unique<ContactAssembler>(
+      contact         = std::make_unique<ContactAssembler<2>>(
         space,
         PatchGeometry<2>(),
         Edge::top,
@@ -154,8 +154,8 @@ namespace
 
     std::shared_ptr<SplineSpace<2>>   space;
     SplineCurve                       tool;
-    SolidAssembler                    solid;
-    std::unique_ptr<ContactAssembler> contact;
+    SolidAssembler<2>                    solid;
+    std::unique_ptr<ContactAssembler<2>> contact;
     std::unique_ptr<Equilibrium>      equilibrium;
     BasisTable<2>                     bottom;
     Vector                            u;

@@ -218,7 +218,7 @@ namespace loaded_solid
     std::shared_ptr<SplineSpace<2>>        space;
     PatchGeometry<2>                       geometry;
     Kinematics                             kinematics;
-    SolidAssembler                         solid;
+    SolidAssembler<2>                      solid;
     std::vector<std::unique_ptr<EdgeLoad>> edge_loads;
     Vector                                 u, load;
     dealii::AffineConstraints<double>      constraints;
@@ -230,7 +230,7 @@ namespace loaded_solid
 
   /** Adds a body force [N/m^3] that depends on the reference position. */
   inline void
-  add_body_force(const SolidAssembler                                &solid,
+  add_body_force(const SolidAssembler<2>                             &solid,
                  const std::function<Tensor<1, 2>(const Point<2> &)> &force,
                  Vector                                              &external)
   {

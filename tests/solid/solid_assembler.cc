@@ -82,9 +82,9 @@ TEST(SolidAssembler, rigid_motion_gives_no_force)
 TEST(SolidAssembler, stiffness_reaches_matrices_of_any_pattern)
 {
   const auto                     space = hierarchical_space(2);
-  SolidAssembler                 solid(space,
-                       PatchGeometry<2>::from_map(*space, bent_rectangle),
-                       neo_hooke());
+  SolidAssembler<2>              solid(space,
+                          PatchGeometry<2>::from_map(*space, bent_rectangle),
+                          neo_hooke());
   const unsigned int             n = 2 * space->n_functions();
   const Vector                   u = random_vector(n, 1e-2);
   Vector                         R(n);

@@ -70,7 +70,7 @@ namespace loaded_solid
    *  quadrature points of the cell that holds a parameter. */
   inline double
   interpolate_history(
-    const SolidAssembler                               &solid,
+    const SolidAssembler<2>                            &solid,
     const Point<2>                                     &parameter,
     const std::function<double(const MaterialState &)> &quantity)
   {

@@ -99,6 +99,20 @@ namespace asperity
         evaluate(F[q], old[q], dt, with_tangent, responses[q]);
     }
 
+    /** As evaluate_points() where F is any: all components of P, of its tangent
+     *  and of C_p^{-1} are read and written. */
+    virtual void
+    evaluate_general(const unsigned int          n_points,
+                     const dealii::Tensor<2, 3> *F,
+                     const MaterialState        *old,
+                     const double                dt,
+                     const bool                  with_tangent,
+                     MaterialResponse           *responses) const
+    {
+      for (unsigned int q = 0; q < n_points; ++q)
+        evaluate(F[q], old[q], dt, with_tangent, responses[q]);
+    }
+
     /** As in a parameter file. */
     virtual std::string
     name() const = 0;

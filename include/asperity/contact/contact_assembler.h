@@ -27,12 +27,15 @@ namespace asperity
     InterfaceParameters interface; ///< its shear
   };
 
-  /** State of the interface at the last evaluated displacement. */
+  /** State of the interface at the last evaluated displacement; per metre of
+   *  thickness in two dimensions. */
+  template <int dim>
   struct ContactState
   {
-    dealii::Tensor<1, 2> force;       ///< on the deformable body [N/m]
-    dealii::Tensor<1, 2> shear_force; ///< the part of it by shear [N/m]
-    double contact_fraction = 0.; ///< share of the reference length in contact
+    dealii::Tensor<1, dim> force; ///< on the deformable body [N/m^(3 - dim)]
+    dealii::Tensor<1, dim>
+           shear_force;           ///< the part of it by shear [N/m^(3 - dim)]
+    double contact_fraction = 0.; ///< share of the reference edge in contact
     double max_pressure     = 0.; ///< [Pa]
     double max_penetration  = 0.; ///< [m]
     double sticking         = 0.; ///< part of the shear that sticks
@@ -45,10 +48,11 @@ namespace asperity
     double mean_gap = 0.; ///< mean of max(gap, 0) over the length [m]
   };
 
-  /** What touches, per current length of the edge. */
+  /** What touches, per current length (in three dimensions area) of the
+   *  edge. */
   struct CurrentContact
   {
-    double length        = 0.; ///< of what touches [m]
+    double length        = 0.; ///< of what touches [m^(dim - 1)]
     double mean_pressure = 0.; ///< over it [Pa]
     double max_pressure  = 0.; ///< [Pa]
   };
@@ -70,14 +74,15 @@ namespace asperity
    * penalty only. L. De Lorenzis, I. Temizer, P. Wriggers, G. Zavarise, IJNME
    * 87 (2011) 1278-1300.
    */
+  template <int dim>
   class ContactAssembler : public ForceTerm
   {
   public:
-    ContactAssembler(std::shared_ptr<const SplineSpace<2>> space,
-                     const PatchGeometry<2>               &geometry,
-                     const Edge                            edge,
-                     std::shared_ptr<const RigidObstacle>  obstacle,
-                     const ContactOptions                 &options);
+    ContactAssembler(std::shared_ptr<const SplineSpace<dim>>   space,
+                     const PatchGeometry<dim>                 &geometry,
+                     const Edge                                edge,
+                     std::shared_ptr<const RigidObstacle<dim>> obstacle,
+                     const ContactOptions                     &options);
 
     ContactAssembler(const ContactAssembler &) = delete;
     ContactAssembler &
@@ -97,7 +102,7 @@ namespace asperity
 
     /** Translation of the obstacle [m]. */
     void
-    set_obstacle_offset(const dealii::Tensor<1, 2> &offset);
+    set_obstacle_offset(const dealii::Tensor<1, dim> &offset);
 
     /** The multipliers take the value of the pressures at the last evaluated
      *  displacement (one pass of the augmented-Lagrange loop). */
@@ -113,30 +118,30 @@ namespace asperity
 
     /** Where the last closest-point search of each point ended; part of the
      *  state of a run that is to be repeated bit for bit. */
-    const std::vector<double> &
+    const std::vector<dealii::Point<dim - 1>> &
     hints() const;
 
     void
-    set_hints(const std::vector<double> &hints);
+    set_hints(const std::vector<dealii::Point<dim - 1>> &hints);
 
-    ContactState
+    ContactState<dim>
     state() const;
 
     /** Edge quadrature points; the arrays below follow its numbering. */
-    const BasisTable<2> &
+    const BasisTable<dim> &
     table() const;
 
     const std::vector<double> &
     pressure() const;
 
-    const std::vector<GapPoint> &
+    const std::vector<GapPoint<dim>> &
     gaps() const;
 
     /** Current positions of the points. */
-    const std::vector<dealii::Point<2>> &
+    const std::vector<dealii::Point<dim>> &
     positions() const;
 
-    /** Current over reference length of the edge at each point. */
+    /** Current over reference length (area) of the edge at each point. */
     std::vector<double>
     stretch(const dealii::Vector<double> &u) const;
 
@@ -153,11 +158,11 @@ namespace asperity
     options() const;
 
     /** Nullptr if the interface bears no shear. */
-    ShearTraction *
+    ShearTraction<dim> *
     shear();
 
     /** See above. */
-    const ShearTraction *
+    const ShearTraction<dim> *
     shear() const;
 
   private:
@@ -177,23 +182,23 @@ namespace asperity
     add_shear(dealii::Vector<double>       &residual,
               dealii::SparseMatrix<double> *tangent);
 
-    std::shared_ptr<const SplineSpace<2>> space;
-    std::shared_ptr<const RigidObstacle>  obstacle;
-    ContactOptions                        options_;
-    ContactPressureLaw                    law;
-    BasisTable<2>                         table_;
-    TractionSpace                         tractions;
-    std::optional<ShearTraction>          shear_;
-    dealii::SparsityPattern               shear_couplings;
-    dealii::SparseMatrix<double>          shear_tangent; ///< not symmetric
-    dealii::Tensor<1, 2>                  offset;
+    std::shared_ptr<const SplineSpace<dim>>   space;
+    std::shared_ptr<const RigidObstacle<dim>> obstacle;
+    ContactOptions                            options_;
+    ContactPressureLaw                        law;
+    BasisTable<dim>                           table_;
+    TractionSpace<dim>                        tractions;
+    std::optional<ShearTraction<dim>>         shear_;
+    dealii::SparsityPattern                   shear_couplings;
+    dealii::SparseMatrix<double>              shear_tangent; ///< not symmetric
+    dealii::Tensor<1, dim>                    offset;
 
-    std::vector<double>           multiplier;
-    std::vector<double>           hint;
-    std::vector<dealii::Point<2>> position;
-    std::vector<GapPoint>         gap;
-    std::vector<ContactPressure>  traction_pressure; ///< one a multiplier
-    std::vector<double>           point_pressure;    ///< [Pa]
+    std::vector<double>                 multiplier;
+    std::vector<dealii::Point<dim - 1>> hint;
+    std::vector<dealii::Point<dim>>     position;
+    std::vector<GapPoint<dim>>          gap;
+    std::vector<ContactPressure>        traction_pressure; ///< one a multiplier
+    std::vector<double>                 point_pressure;    ///< [Pa]
   };
 } // namespace asperity
 

@@ -7,14 +7,14 @@
 namespace asperity
 {
   /** A rigid spline curve, periodic or not, with certified projection. */
-  class CurveObstacle : public RigidObstacle
+  class CurveObstacle : public RigidObstacle<2>
   {
   public:
     /** @param free_side side of the curve on which the body is */
     CurveObstacle(const SplineCurve &curve, const CurveSide free_side);
 
-    GapPoint
-    gap(const dealii::Point<2> &x, double &hint) const override;
+    GapPoint<2>
+    gap(const dealii::Point<2> &x, dealii::Point<1> &hint) const override;
 
   private:
     ClosestPoint search;

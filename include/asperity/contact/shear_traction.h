@@ -8,30 +8,45 @@
 
 #include <deal.II/lac/vector.h>
 
+#include <array>
+#include <vector>
+
 namespace asperity
 {
   /** The slip of an edge on a rigid surface at the last evaluated displacement,
    *  per point of its table. */
+  template <int dim>
   struct SlipPoint
   {
-    dealii::Tensor<1, 2> tangent; ///< s, the normal turned by +90 degrees
+    /** s_k, orthonormal and normal to n: in two dimensions n turned by +90
+     *  degrees, in three the part of the x axis that is normal to n, and
+     *  n x s_0. */
+    std::array<dealii::Tensor<1, dim>, dim - 1> tangent;
 
-    double slip     = 0.; ///< way along s since the last accepted step [m]
-    double by_way   = 1.; ///< its derivative along s: slip' = by_way s . dx
-    double rotation = 0.; ///< n' = rotation (s . dx) s [1/m]
+    /** Way along s_k since the last accepted step, and its gradient by the
+     *  position of the point. */
+    std::array<double, dim - 1>                 slip{};
+    std::array<dealii::Tensor<1, dim>, dim - 1> by_position;
+
+    /** How they turn with the position of the point: s_k' = -(turn_k . dx) n,
+     *  and in three dimensions s_0 by spin . dx towards s_1, too [1/m]. */
+    std::array<dealii::Tensor<1, dim>, dim - 1> turn;
+    dealii::Tensor<1, dim>                      spin;
+
     double touching = 0.; ///< 1 where the gap is closed, 0 to 1
     double closing  = 0.; ///< derivative of `touching` by the gap [1/m]
   };
 
   /**
-   * Shear between an edge and a rigid surface at rest: the body feels -tau s
-   * per reference length, tau along its slip. A return map for each traction of
-   * the TractionSpace (J. C. Simo, T. A. Laursen, Comput. Struct. 42 (1992)
-   * 97-116; for the mortar L. De Lorenzis et al., IJNME 87 (2011) 1278-1300):
+   * Shear between an edge and a rigid surface at rest: the body feels
+   * -sum_k tau_k s_k per reference measure, tau along its slip. A return map
+   * for each traction of the TractionSpace (J. C. Simo, T. A. Laursen, Comput.
+   * Struct. 42 (1992) 97-116; for the mortar L. De Lorenzis et al., IJNME 87
+   * (2011) 1278-1300), for the vector tau_a of dim - 1 components:
    *
    *   trial   tau_a = tau_a^n + epsilon_t <slip>_a,
    *   stick   where |tau_a| < tau_max,a,
-   *   slip    tau_a = sign(trial) tau_max,a,
+   *   slip    tau_a = tau_max,a trial/|trial|,
    *
    * tau_max by InterfaceLaw from the pressure p_a and the means of k and of
    * what touches and is wet. The slip of a point is s . (x - x^n) with the s of
@@ -43,13 +58,14 @@ namespace asperity
    *
    * The tangent is exact on each branch, and not symmetric.
    */
+  template <int dim>
   class ShearTraction
   {
   public:
     /** @param penalty epsilon of the pressure [Pa/m]
      *  @param tractions, table must outlive this object */
-    ShearTraction(const TractionSpace       &tractions,
-                  const BasisTable<2>       &table,
+    ShearTraction(const TractionSpace<dim>  &tractions,
+                  const BasisTable<dim>     &table,
                   const InterfaceParameters &parameters,
                   const double               penalty);
 
@@ -57,9 +73,9 @@ namespace asperity
      *  @param positions of the points, seen from the obstacle
      *  @param pressures one a traction */
     void
-    evaluate(const std::vector<dealii::Point<2>> &positions,
-             const std::vector<GapPoint>         &gaps,
-             const std::vector<ContactPressure>  &pressures);
+    evaluate(const std::vector<dealii::Point<dim>> &positions,
+             const std::vector<GapPoint<dim>>      &gaps,
+             const std::vector<ContactPressure>    &pressures);
 
     /** R_a += int N_a tau s of the last evaluation. */
     void
@@ -70,7 +86,7 @@ namespace asperity
     add_stiffness(dealii::SparseMatrix<double> &symmetric,
                   dealii::SparseMatrix<double> &rest) const;
 
-    /** Shear strength of the body per reference length, k times the stretch of
+    /** Shear strength of the body per reference measure, k times the stretch of
      *  the edge [Pa], and part that oil covers, per point, of the next
      *  evaluations. */
     void
@@ -83,9 +99,10 @@ namespace asperity
     /** What accept() keeps: tractions, pressures, positions of the points. */
     struct History
     {
-      std::vector<double>           tractions; ///< [Pa]
-      std::vector<double>           pressures; ///< one a traction [Pa]
-      std::vector<dealii::Point<2>> positions; ///< seen from the obstacle
+      /** Component by component, [k size + a] [Pa]. */
+      std::vector<double>             tractions;
+      std::vector<double>             pressures; ///< one a traction [Pa]
+      std::vector<dealii::Point<dim>> positions; ///< seen from the obstacle
     };
 
     const History &
@@ -94,20 +111,20 @@ namespace asperity
     void
     set_history(const History &history);
 
-    /** tau at the points [Pa], along their tangents. */
+    /** tau_k at the points [Pa], along their tangents s_k. */
     const std::vector<double> &
-    at_points() const;
+    at_points(const unsigned int k = 0) const;
 
-    const std::vector<SlipPoint> &
+    const std::vector<SlipPoint<dim>> &
     slip() const;
 
-    /** Adds the force on the body [N/m].
+    /** Adds the force on the body [N/m^(3 - dim)].
      *  @param sticking becomes the part of the shear that sticks */
     void
-    sum_up(dealii::Tensor<1, 2> &force, double &sticking) const;
+    sum_up(dealii::Tensor<1, dim> &force, double &sticking) const;
 
     /** Work of the shear on its slip since the last accepted step, without what
-     *  is stored where it sticks, per reference length; not negative [J/m^2].
+     *  is stored where it sticks, per reference measure; not negative [J/m^2].
      */
     std::vector<double>
     dissipation() const;
@@ -118,35 +135,54 @@ namespace asperity
 
   private:
     void
-    measure(const std::vector<dealii::Point<2>> &positions,
-            const std::vector<GapPoint>         &gaps);
+    measure(const std::vector<dealii::Point<dim>> &positions,
+            const std::vector<GapPoint<dim>>      &gaps);
 
     void
     return_map(const std::vector<ContactPressure> &pressures);
 
-    const TractionSpace &tractions;
-    const BasisTable<2> &table;
-    InterfaceLaw         law;
-    double               penalty;    ///< epsilon_t [Pa/m]
-    double               transition; ///< delta [m]
+    /** Of one traction. @param pressure_slope of its pressure by the gap */
+    void
+    return_to(const ShearStrength &limit,
+              const double         pressure_slope,
+              const unsigned int   a);
+
+    using Vectors = typename TractionSpace<dim>::Vectors;
+
+    /** What the turning tangents add, point by point. */
+    void
+    add_turning(const std::array<Vectors, dim - 1> &s,
+                const Vectors                      &n,
+                dealii::SparseMatrix<double>       &tangent) const;
+
+    const TractionSpace<dim> &tractions;
+    const BasisTable<dim>    &table;
+    InterfaceLaw              law;
+    double                    penalty;    ///< epsilon_t [Pa/m]
+    double                    transition; ///< delta [m]
 
     std::vector<double> mean_k, mean_wet; ///< per traction
     std::vector<double> closed_until;     ///< gap that still touches [m]
 
-    History                       start;
-    std::vector<dealii::Point<2>> position;
-    std::vector<SlipPoint>        slip_;
-    std::vector<GapPoint>         gap;
+    History                         start;
+    std::vector<dealii::Point<dim>> position;
+    std::vector<SlipPoint<dim>>     slip_;
+    std::vector<GapPoint<dim>>      gap;
+
+    /** One vector a component k. */
+    using Components = std::array<std::vector<double>, dim - 1>;
 
     // Per traction.
     std::vector<double> pressure; ///< p_a
-    std::vector<double> mean_slip;
-    std::vector<double> traction;    ///< tau_a
-    std::vector<double> by_slip;     ///< d tau_a/d<slip>_a, 0 where it slips
-    std::vector<double> by_gap;      ///< through the pressure
-    std::vector<double> by_touching; ///< d tau_a/d<touching>_a
+    std::vector<bool>   sticks;
+    Components          mean_slip;
+    Components          traction; ///< tau_a
+    /** d tau_k/d<slip>_l. */
+    std::array<Components, dim - 1> by_slip;
+    Components                      by_gap;      ///< through the pressure
+    Components                      by_touching; ///< d tau_a/d<touching>_a
 
-    std::vector<double> point_traction;
+    Components point_traction;
   };
 } // namespace asperity
 

@@ -20,20 +20,21 @@ namespace asperity
   };
 
   /**
-   * The space of tractions on the reference edge: t(X) = sum_a psi_a(X) t_a.
-   * With the mortar the psi_a are the functions N_a of the edge, at Gauss
+   * The space of tractions on the reference edge (face): t(X) = sum_a psi_a(X)
+   * t_a. With the mortar the psi_a are the functions N_a of the edge, at Gauss
    * points each is 1 at its point and 0 at the others. What the kinematics say
    * at the points of the table reaches a traction through the mean
    * <v>_a = int psi_a v / W_a, W_a = int psi_a.
    */
+  template <int dim>
   class TractionSpace
   {
   public:
-    using Vectors = std::vector<dealii::Tensor<1, 2>>;
+    using Vectors = std::vector<dealii::Tensor<1, dim>>;
 
     /** @param table of the edge, which must outlive this object */
-    TractionSpace(const SplineSpace<2>    &space,
-                  const BasisTable<2>     &table,
+    TractionSpace(const SplineSpace<dim>  &space,
+                  const BasisTable<dim>   &table,
                   const Edge               edge,
                   const ContactFormulation formulation);
 
@@ -97,15 +98,15 @@ namespace asperity
     void
     for_each_value(const Action &action) const;
 
-    ContactFormulation   formulation_;
-    const BasisTable<2> &table;
+    ContactFormulation     formulation_;
+    const BasisTable<dim> &table;
 
     std::vector<unsigned int> edge_functions; ///< edge index -> function
     std::vector<std::vector<unsigned int>> element_functions; ///< edge indices
     std::vector<std::vector<unsigned int>> element_columns; ///< into table rows
     std::vector<std::vector<unsigned int>> neighbours; ///< overlapping supports
 
-    std::vector<double> weight; ///< W_a [m]
+    std::vector<double> weight; ///< W_a [m^(dim - 1)]
   };
 } // namespace asperity
 

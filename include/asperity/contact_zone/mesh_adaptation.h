@@ -97,7 +97,7 @@ namespace asperity
    *  the temperature of its start and a rate of 1/s [J/m].
    *  @param states of its material points */
   double
-  plastic_work(const SolidAssembler             &chip,
+  plastic_work(const SolidAssembler<2>             &chip,
                const std::vector<MaterialState> &states,
                const LoadParameters             &start);
 } // namespace asperity

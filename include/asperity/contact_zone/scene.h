@@ -103,9 +103,9 @@ namespace asperity
     std::shared_ptr<SplineSpace<2>>    space;
     PatchGeometry<2>                   geometry;
     std::shared_ptr<const MaterialLaw> law;
-    std::shared_ptr<RigidObstacle>     tool;
-    std::unique_ptr<SolidAssembler>    chip;
-    std::unique_ptr<ContactAssembler>  contact;
+    std::shared_ptr<RigidObstacle<2>>     tool;
+    std::unique_ptr<SolidAssembler<2>>    chip;
+    std::unique_ptr<ContactAssembler<2>>  contact;
     std::unique_ptr<SurfaceLayer>      surface_layer; ///< of the chip
     std::unique_ptr<Lubricant>         lubricant;     ///< null: dry
     GapFlow *gap_flow = nullptr;       ///< the lubricant, if it is one

@@ -55,8 +55,8 @@ namespace asperity
               const SplineSpace<2>   &space,
               const PatchGeometry<2> &geometry,
               const double            period,
-              SolidAssembler         &chip,
-              const ContactAssembler &contact);
+              SolidAssembler<2>         &chip,
+              const ContactAssembler<2> &contact);
 
     /**
      * A step has been accepted: conducts its heat, and gives the points of the
@@ -119,8 +119,8 @@ namespace asperity
     const bool              has_oil;
     const double            start; ///< temperature of the chip [K]
     const ThermalProperties material;
-    SolidAssembler         &chip;
-    const ContactAssembler &contact;
+    SolidAssembler<2>         &chip;
+    const ContactAssembler<2> &contact;
     HeatConduction          conduction;
     ThermalContact          exchange;
 

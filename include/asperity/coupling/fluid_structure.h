@@ -96,7 +96,7 @@ namespace asperity
     body() const;
 
     /** With the stresses of the body. */
-    const SolidAssembler &
+    const SolidAssembler<2> &
     body_assembler() const;
 
     /** The last accepted step with all that the next ones depend on: a run
@@ -128,7 +128,7 @@ namespace asperity
     ElasticMeshUpdate                mesh_update;
     AleFluid                         fluid_side;
     Interface                        interface;
-    SolidAssembler                   assembler;
+    SolidAssembler<2>                   assembler;
     std::unique_ptr<SplineSolid>     solid_side;
     std::unique_ptr<PartitionedStep> step;
   };

@@ -10,16 +10,19 @@ namespace asperity
 {
   /**
    * Stiffness of one element, K_aibl = integral of dN_a/dX_J dP_iJ/dF_lM
-   * dN_b/dX_M [N/m^2 per metre of thickness; N/m if axisymmetric].
+   * dN_b/dX_M [N/m^2 per metre of thickness; N/m if axisymmetric or in three
+   * dimensions].
    */
+  template <int dim>
   class ElementStiffness
   {
   public:
-    /** @param weights of the points [m^2, m^3 if axisymmetric] */
+    /** @param weights of the points [m^2, m^3 if axisymmetric or in three
+     *  dimensions] */
     void
-    integrate(const ElementGradients &gradients,
-              const double           *weights,
-              const MaterialResponse *responses);
+    integrate(const ElementGradients<dim> &gradients,
+              const double                *weights,
+              const MaterialResponse      *responses);
 
     /** Number of functions. */
     unsigned int
@@ -28,22 +31,37 @@ namespace asperity
       return n;
     }
 
-    /** K_ai, one number for each [2 b + l]. */
+    /** K_ai, one number for each unknown of the element, in the order of
+     *  ElementGradients. */
     const double *
     row(const unsigned int a, const unsigned int i) const
     {
       return &blocks[i][a * stride];
     }
 
+    /** Distance between the components of one function in a row. */
+    unsigned int
+    component_stride() const
+    {
+      return dim == 2 ? 1 : stride / dim;
+    }
+
+    /** Distance between functions in a row. */
+    static constexpr unsigned int
+    function_stride()
+    {
+      return dim == 2 ? 2 : 1;
+    }
+
   private:
     unsigned int n      = 0;
-    unsigned int stride = 0; ///< 2 n, padded
+    unsigned int stride = 0; ///< unknowns, padded
 
-    /** Of a group of points: [i][(point, J), 2 b + l], derivatives of P_iJ
-     *  times weight by displacement component l of function b. */
-    std::array<std::vector<double>, 2> columns;
+    /** Of a group of points: [i][(point, J), unknown], derivatives of P_iJ
+     *  times weight by the unknowns. */
+    std::array<std::vector<double>, dim> columns;
 
-    std::array<std::vector<double>, 2> blocks; ///< [i][a stride + 2 b + l]
+    std::array<std::vector<double>, dim> blocks; ///< [i][a stride + unknown]
   };
 } // namespace asperity
 

@@ -2,8 +2,8 @@
 #define asperity_solid_solid_assembler_h
 
 #include <asperity/constitutive/material_law.h>
-#include <asperity/isogeometric/force_term.h>
 #include <asperity/isogeometric/spline_space.h>
+#include <asperity/solid/deformable_body.h>
 #include <asperity/solid/element_gradients.h>
 #include <asperity/solid/stiffness_scatter.h>
 
@@ -15,6 +15,7 @@ namespace asperity
   template <int dim>
   class ElementView;
 
+  /** Of a body in two dimensions; without meaning in three. */
   enum class Kinematics
   {
     plane_strain,
@@ -26,16 +27,20 @@ namespace asperity
    * R_a = integral over the reference body of P(F) Grad N_a, F = I + Grad u.
    * Plane strain integrates per metre of thickness.
    *
+   * In three dimensions the last coordinate is the upward one, and the law has
+   * the axes of the body.
+   *
    * The history at the end of the step is rewritten by every call; accept()
    * makes it the start of the next step.
    */
-  class SolidAssembler : public ForceTerm
+  template <int dim>
+  class SolidAssembler : public DeformableBody
   {
   public:
     /** @param n_quadrature Gauss points per direction; 0 means degree + 1 */
-    SolidAssembler(std::shared_ptr<const SplineSpace<2>> space,
-                   const PatchGeometry<2>               &geometry,
-                   std::shared_ptr<const MaterialLaw>    law,
+    SolidAssembler(std::shared_ptr<const SplineSpace<dim>> space,
+                   const PatchGeometry<dim>               &geometry,
+                   std::shared_ptr<const MaterialLaw>      law,
                    const Kinematics   kinematics   = Kinematics::plane_strain,
                    const unsigned int n_quadrature = 0);
 
@@ -49,11 +54,11 @@ namespace asperity
 
     /** Length of the step that the next calls evaluate [s]. */
     void
-    set_time_step(const double dt);
+    set_time_step(const double dt) override;
 
     /** The end of the step becomes the start of the next one. */
     void
-    accept();
+    accept() override;
 
     /** Every point starts from this state. */
     void
@@ -76,19 +81,19 @@ namespace asperity
     const std::vector<double> &
     mises_stress() const;
 
-    /** Consistent mass matrix, integral of rho0 N_a N_b, both components. */
+    /** Consistent mass matrix, integral of rho0 N_a N_b, all components. */
     void
-    assemble_mass(dealii::SparseMatrix<double> &mass) const;
+    assemble_mass(dealii::SparseMatrix<double> &mass) const override;
 
     /** External force of a body force per reference volume [N/m^3]. */
     void
-    add_body_force(const dealii::Tensor<1, 2> &force,
-                   dealii::Vector<double>     &external) const;
+    add_body_force(const dealii::Tensor<1, dim> &force,
+                   dealii::Vector<double>       &external) const;
 
-    const BasisTable<2> &
+    const BasisTable<dim> &
     table() const;
 
-    const SplineSpace<2> &
+    const SplineSpace<dim> &
     space() const;
 
     const MaterialLaw &
@@ -103,9 +108,9 @@ namespace asperity
 
     /** The law at each point, and the end of the step from it. */
     bool
-    evaluate_law(const ElementView<2> &element,
-                 const bool            with_tangent,
-                 Scratch              &scratch);
+    evaluate_law(const ElementView<dim> &element,
+                 const bool              with_tangent,
+                 Scratch                &scratch);
 
     bool
     integrate(const unsigned int            element,
@@ -113,15 +118,15 @@ namespace asperity
               const bool                    with_tangent,
               Scratch                      &scratch);
 
-    std::shared_ptr<const SplineSpace<2>> space_;
-    std::shared_ptr<const MaterialLaw>    law_;
-    Kinematics                            kinematics;
-    BasisTable<2>                         table_;
+    std::shared_ptr<const SplineSpace<dim>> space_;
+    std::shared_ptr<const MaterialLaw>      law_;
+    Kinematics                              kinematics;
+    BasisTable<dim>                         table_;
 
-    /** Of each element, in growing order: [2 a + component]. */
+    /** Of each element, in growing order: [dim a + component]. */
     std::vector<std::vector<unsigned int>> dofs;
-    std::vector<ElementGradients>          gradients; ///< of each element
-    StiffnessScatter                       scatter;
+    std::vector<ElementGradients<dim>>     gradients; ///< of each element
+    StiffnessScatter<dim>                  scatter;
 
     double                     dt = 1.;
     std::vector<MaterialState> old_history, new_history;

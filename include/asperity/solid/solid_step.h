@@ -1,9 +1,9 @@
 #ifndef asperity_solid_solid_step_h
 #define asperity_solid_solid_step_h
 
+#include <asperity/solid/deformable_body.h>
 #include <asperity/solid/equilibrium.h>
 #include <asperity/solid/motion_energy.h>
-#include <asperity/solid/solid_assembler.h>
 #include <asperity/time_integration/generalized_alpha.h>
 
 #include <memory>
@@ -33,7 +33,7 @@ namespace asperity
      *   without: quasi-static
      * @throws InputError if the spectral radius is not in [0, 1]
      */
-    SolidStep(SolidAssembler             &solid,
+    SolidStep(DeformableBody             &solid,
               Equilibrium                &equilibrium,
               const Vector               &u,
               const std::optional<double> spectral_radius);
@@ -119,7 +119,7 @@ namespace asperity
     MotionEnergy::End
     end_in_frame(const double time) const;
 
-    SolidAssembler                               &solid;
+    DeformableBody                               &solid;
     Equilibrium                                  &equilibrium;
     GeneralizedAlpha                              motion;
     std::unique_ptr<dealii::SparseMatrix<double>> mass; ///< nullptr: static

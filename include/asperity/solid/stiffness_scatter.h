@@ -14,13 +14,14 @@ namespace asperity
    * up once for all elements, not at every assembly: the search would cost a
    * tenth of a run.
    */
+  template <int dim>
   class StiffnessScatter
   {
   public:
     /** Finds the entries of all elements, unless corners of the stiffnesses
      *  stand where they were found last: then the pattern is the same. In the
      *  place and of the size of the last one, the first element decides.
-     *  @param dofs unknowns of each element, [2 a + component], those of a
+     *  @param dofs unknowns of each element, [dim a + component], those of a
      *   function one after the other and in rising order */
     void
     find(const dealii::SparsityPattern                &pattern,
@@ -28,7 +29,7 @@ namespace asperity
 
     void
     add(const unsigned int            element,
-        const ElementStiffness       &K,
+        const ElementStiffness<dim>  &K,
         dealii::SparseMatrix<double> &matrix) const;
 
   private:
@@ -37,9 +38,9 @@ namespace asperity
          const std::vector<std::vector<unsigned int>> &dofs,
          const std::size_t                             n_elements) const;
 
-    /** Of each element, for each of its rows [2 a + i], among all entries:
-     *  where those of b = 0, 1, ... begin, of which the second follows the
-     *  first; for b = a, where the diagonal is elsewhere, both. */
+    /** Of each element, for each of its rows [dim a + i], among all entries:
+     *  where those of b = 0, 1, ... begin, of which the others follow the
+     *  first; for b = a, where the diagonal is elsewhere, all. */
     std::vector<std::vector<unsigned int>> entries;
 
     const dealii::SparsityPattern *last      = nullptr; ///< only to compare
