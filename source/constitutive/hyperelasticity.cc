@@ -9,16 +9,6 @@ namespace asperity
 
   namespace
   {
-    /** det F, or 0 if it is not positive and finite or F33 is not positive. */
-    double
-    positive_determinant(const Tensor<2, 3> &F)
-    {
-      const double J = determinant(F);
-      return (J > 0. && F[2][2] > 0. && std::isfinite(J)) ? J : 0.;
-    }
-
-
-
     /** sqrt(3/2) |dev(P F^T)|. */
     double
     mises_kirchhoff(const Tensor<2, 3> &P, const Tensor<2, 3> &F)
@@ -44,7 +34,7 @@ namespace asperity
 
 
 
-  StVenantKirchhoff::StVenantKirchhoff(const ElasticParameters &elasticity)
+  HyperelasticLaw::HyperelasticLaw(const ElasticParameters &elasticity)
     : MaterialLaw(elasticity)
     , lambda(elasticity.lame_lambda())
     , mu(elasticity.shear_modulus())
@@ -53,19 +43,63 @@ namespace asperity
 
 
   void
-  StVenantKirchhoff::evaluate(const Tensor<2, 3>  &F,
-                              const MaterialState &old,
-                              const double,
-                              const bool        with_tangent,
-                              MaterialResponse &response) const
+  HyperelasticLaw::evaluate(const Tensor<2, 3>  &F,
+                            const MaterialState &old,
+                            const double,
+                            const bool        with_tangent,
+                            MaterialResponse &response) const
   {
-    response.state   = old;
-    response.plastic = false;
-    response.status =
-      positive_determinant(F) > 0. ? LawStatus::ok : LawStatus::inverted;
-    if (response.status != LawStatus::ok)
-      return;
+    // In plane kinematics the plane must not be turned over either.
+    const double J = F[2][2] > 0. ? determinant(F) : 0.;
+    respond_if_regular(F, J, old, with_tangent, response);
+  }
 
+
+
+  void
+  HyperelasticLaw::evaluate_general(const unsigned int   n_points,
+                                    const Tensor<2, 3>  *F,
+                                    const MaterialState *old,
+                                    const double,
+                                    const bool        with_tangent,
+                                    MaterialResponse *responses) const
+  {
+    for (unsigned int q = 0; q < n_points; ++q)
+      respond_if_regular(
+        F[q], determinant(F[q]), old[q], with_tangent, responses[q]);
+  }
+
+
+
+  void
+  HyperelasticLaw::respond_if_regular(const Tensor<2, 3>  &F,
+                                      const double         J,
+                                      const MaterialState &old,
+                                      const bool           with_tangent,
+                                      MaterialResponse    &response) const
+  {
+    const bool regular = J > 0. && std::isfinite(J);
+    response.state     = old;
+    response.plastic   = false;
+    response.status    = regular ? LawStatus::ok : LawStatus::inverted;
+    if (regular)
+      respond(F, J, with_tangent, response);
+  }
+
+
+
+  StVenantKirchhoff::StVenantKirchhoff(const ElasticParameters &elasticity)
+    : HyperelasticLaw(elasticity)
+  {}
+
+
+
+  void
+  StVenantKirchhoff::respond(const Tensor<2, 3> &F,
+                             const double,
+                             const bool        with_tangent,
+                             MaterialResponse &response) const
+  {
     const Tensor<2, 3> I = dealii::unit_symmetric_tensor<3>();
     const Tensor<2, 3> E = 0.5 * (transpose(F) * F - I);
     const Tensor<2, 3> S = lambda * trace(E) * I + 2. * mu * E;
@@ -101,27 +135,17 @@ namespace asperity
 
 
   NeoHooke::NeoHooke(const ElasticParameters &elasticity)
-    : MaterialLaw(elasticity)
-    , lambda(elasticity.lame_lambda())
-    , mu(elasticity.shear_modulus())
+    : HyperelasticLaw(elasticity)
   {}
 
 
 
   void
-  NeoHooke::evaluate(const Tensor<2, 3>  &F,
-                     const MaterialState &old,
-                     const double,
-                     const bool        with_tangent,
-                     MaterialResponse &response) const
+  NeoHooke::respond(const Tensor<2, 3> &F,
+                    const double        J,
+                    const bool          with_tangent,
+                    MaterialResponse   &response) const
   {
-    const double J   = positive_determinant(F);
-    response.state   = old;
-    response.plastic = false;
-    response.status  = J > 0. ? LawStatus::ok : LawStatus::inverted;
-    if (response.status != LawStatus::ok)
-      return;
-
     const Tensor<2, 3> I = dealii::unit_symmetric_tensor<3>();
     const Tensor<2, 3> G = transpose(invert(F));
     const double       a = lambda * std::log(J) - mu;

@@ -40,6 +40,17 @@ namespace asperity::law_tools
   constexpr std::array<std::array<int, 2>, 5> components = {
     {{{0, 0}}, {{0, 1}}, {{1, 0}}, {{1, 1}}, {{2, 2}}}};
 
+  /** Row and column of each component of any tensor. */
+  constexpr std::array<std::array<int, 2>, 9> all_components = {{{{0, 0}},
+                                                                 {{0, 1}},
+                                                                 {{0, 2}},
+                                                                 {{1, 0}},
+                                                                 {{1, 1}},
+                                                                 {{1, 2}},
+                                                                 {{2, 0}},
+                                                                 {{2, 1}},
+                                                                 {{2, 2}}}};
+
 
 
   /** F of pure stretch in the plane, isochoric, with equivalent strain e. */
@@ -65,6 +76,20 @@ namespace asperity::law_tools
 
 
 
+  /** The same without relying on plane kinematics. */
+  inline MaterialResponse
+  evaluate_general(const MaterialLaw   &law,
+                   const Tensor<2, 3>  &F,
+                   const MaterialState &old = {},
+                   const double         dt  = 0.)
+  {
+    MaterialResponse response;
+    law.evaluate_general(1, &F, &old, dt, true, &response);
+    return response;
+  }
+
+
+
   /** sqrt(3/2) |dev(P F^T)|, from the definition. */
   inline double
   mises_of(const Tensor<2, 3> &P, const Tensor<2, 3> &F)
@@ -73,18 +98,20 @@ namespace asperity::law_tools
     const double       a = t[0][0] - t[1][1];
     const double       b = t[1][1] - t[2][2];
     const double       c = t[2][2] - t[0][0];
-    return std::sqrt(0.5 * (a * a + b * b + c * c) + 3. * t[0][1] * t[0][1]);
+    return std::sqrt(
+      0.5 * (a * a + b * b + c * c) +
+      3. * (t[0][1] * t[0][1] + t[1][2] * t[1][2] + t[2][0] * t[2][0]));
   }
 
 
 
-  /** The largest entry of those that plane kinematics has. */
+  /** The largest entry. */
   inline double
   largest(const Tensor<4, 3> &tangent)
   {
     double value = 0.;
-    for (const auto &[i, J] : components)
-      for (const auto &[k, L] : components)
+    for (const auto &[i, J] : all_components)
+      for (const auto &[k, L] : all_components)
         value = std::fmax(value, std::abs(tangent[i][J][k][L]));
     return value;
   }
@@ -132,29 +159,31 @@ namespace asperity::law_tools
 
 
   /**
-   * The largest difference between the tangent of a law and finite
-   * differences of its stress, relative to the largest entry; infinite if any
-   * evaluation fails.
+   * The largest difference between the tangent that a function of F answers
+   * and finite differences of its stress, relative to the largest entry;
+   * infinite if any evaluation fails.
+   *
+   * @param some_components of P and F that are compared
    */
-  inline double
-  tangent_error(const MaterialLaw   &law,
-                const Tensor<2, 3>  &F,
-                const MaterialState &old,
-                const double         dt,
-                const double         first_step = 1e-4)
+  template <std::size_t n>
+  double
+  tangent_error(
+    const std::function<MaterialResponse(const Tensor<2, 3> &)> &respond,
+    const std::array<std::array<int, 2>, n> &some_components,
+    const Tensor<2, 3>                      &F,
+    const double                             first_step = 1e-4)
   {
-    const MaterialResponse response = evaluate(law, F, old, dt);
+    const MaterialResponse response = respond(F);
     bool                   failed   = (response.status != LawStatus::ok);
     double                 error    = 0.;
-    for (const auto &row : components)
-      for (const auto &column : components)
+    for (const auto &row : some_components)
+      for (const auto &column : some_components)
         {
           const auto stress = [&](const double h) {
             Tensor<2, 3> shifted = F;
             shifted[column[0]][column[1]] += h;
-            MaterialResponse r;
-            law.evaluate(shifted, old, dt, false, r);
-            failed = failed || r.status != LawStatus::ok;
+            const MaterialResponse r = respond(shifted);
+            failed                   = failed || r.status != LawStatus::ok;
             return r.P[row[0]][row[1]];
           };
           const double difference = derivative_at_zero(stress, first_step);
@@ -166,6 +195,23 @@ namespace asperity::law_tools
         }
     return failed ? std::numeric_limits<double>::infinity() :
                     error / largest(response.tangent);
+  }
+
+
+
+  /** That of a law in plane kinematics. */
+  inline double
+  tangent_error(const MaterialLaw   &law,
+                const Tensor<2, 3>  &F,
+                const MaterialState &old,
+                const double         dt,
+                const double         first_step = 1e-4)
+  {
+    return tangent_error(
+      [&](const Tensor<2, 3> &any_F) { return evaluate(law, any_F, old, dt); },
+      components,
+      F,
+      first_step);
   }
 
 
@@ -205,6 +251,38 @@ namespace asperity::law_tools
       return result;
     }
 
+    /** The same with all components. */
+    Tensor<2, 3>
+    near_in_space(const Tensor<2, 3> &F, const double size)
+    {
+      Tensor<2, 3> result = F;
+      for (const auto &[i, J] : all_components)
+        result[i][J] += size * distribution(generator);
+      return result;
+    }
+
+    /** About any axis: that of a random quaternion. */
+    Tensor<2, 3>
+    rotation()
+    {
+      double       a = number(), b = number(), c = number(), d = number();
+      const double length = std::sqrt(a * a + b * b + c * c + d * d);
+      a /= length;
+      b /= length;
+      c /= length;
+      d /= length;
+      Tensor<2, 3> Q = plane(1. - 2. * (c * c + d * d),
+                             2. * (b * c - d * a),
+                             2. * (b * c + d * a),
+                             1. - 2. * (b * b + d * d),
+                             1. - 2. * (b * b + c * c));
+      Q[0][2]        = 2. * (b * d + c * a);
+      Q[2][0]        = 2. * (b * d - c * a);
+      Q[1][2]        = 2. * (c * d - b * a);
+      Q[2][1]        = 2. * (c * d + b * a);
+      return Q;
+    }
+
     double
     number()
     {
@@ -219,6 +297,17 @@ namespace asperity::law_tools
 
 
   const Tensor<2, 3> identity = plane(1., 0., 0., 1., 1.);
+
+
+
+  /** A state after 5 % of any deformation within 0.1 us, which laws that yield
+   *  do. */
+  inline MaterialState
+  deformed_state_in_space(const MaterialLaw &law, RandomDeformation &random)
+  {
+    return evaluate_general(law, random.near_in_space(identity, 0.05), {}, 1e-7)
+      .state;
+  }
 } // namespace asperity::law_tools
 
 #endif

@@ -6,9 +6,11 @@
 #include <asperity/constitutive/hencky_kinematics.h>
 #include <asperity/constitutive/material_law.h>
 #include <asperity/constitutive/point_pack.h>
+#include <asperity/constitutive/principal_strain.h>
 #include <asperity/constitutive/return_map.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace asperity
 {
@@ -34,6 +36,7 @@ namespace asperity
    *
    * In plane kinematics ln b has a closed form without eigenvectors, which
    * is analytic where the in-plane stretches coincide; so is the tangent.
+   * Otherwise it is taken of the principal values, one point at a time.
    *
    * A step of length dt <= 0 counts as infinitely slow: no rate effect.
    *
@@ -64,6 +67,14 @@ namespace asperity
                     const bool                  with_tangent,
                     MaterialResponse           *responses) const override;
 
+    void
+    evaluate_general(const unsigned int          n_points,
+                     const dealii::Tensor<2, 3> *F,
+                     const MaterialState        *old,
+                     const double                dt,
+                     const bool                  with_tangent,
+                     MaterialResponse           *responses) const override;
+
     std::string
     name() const override;
 
@@ -90,6 +101,14 @@ namespace asperity
                   const double                dt,
                   const bool                  with_tangent,
                   MaterialResponse           *responses);
+
+    /** One point of evaluate_general(). */
+    void
+    evaluate_principal(const dealii::Tensor<2, 3> &F,
+                       const MaterialState        &old,
+                       const double                dt,
+                       const bool                  with_tangent,
+                       MaterialResponse           &response) const;
 
     /** A returned state lies on the yield surface up to round-off, which must
      *  not count as yielding when it is evaluated again. */
@@ -211,6 +230,83 @@ namespace asperity
     const auto c = hencky::radial_return_tangent<Pack>(
       {law.bulk_modulus, law.shear_modulus}, e, trial_stress, ratio, slope);
     store_tangents(n_points, hencky::nominal_tangent(c, t, r.P), responses);
+  }
+
+
+
+  template <class Flow>
+  void
+  FiniteStrainJ2<Flow>::evaluate_general(const unsigned int          n_points,
+                                         const dealii::Tensor<2, 3> *F,
+                                         const MaterialState        *old,
+                                         const double                dt,
+                                         const bool        with_tangent,
+                                         MaterialResponse *responses) const
+  {
+    for (unsigned int q = 0; q < n_points; ++q)
+      evaluate_principal(F[q], old[q], dt, with_tangent, responses[q]);
+  }
+
+
+
+  template <class Flow>
+  void
+  FiniteStrainJ2<Flow>::evaluate_principal(const dealii::Tensor<2, 3> &F,
+                                           const MaterialState        &old,
+                                           const double                dt,
+                                           const bool        with_tangent,
+                                           MaterialResponse &response) const
+  {
+    const double guess = response.state.plastic_strain - old.plastic_strain;
+    const auto   t     = hencky::principal_strain(F, old.Cp_inverse);
+    response.state     = old;
+    response.plastic   = false;
+    response.status    = t.valid ? LawStatus::ok : LawStatus::inverted;
+    if (!t.valid)
+      return;
+
+    const auto   e            = hencky::deviator(t);
+    const double trial_stress = shear_modulus * std::sqrt(6. * (e * e));
+    const double static_flow_stress =
+      flow_stress.static_value(old.plastic_strain, old.temperature);
+    response.plastic =
+      trial_stress > (1. + yield_tolerance) * static_flow_stress;
+    response.mises = trial_stress;
+    double ratio = 1., slope = 1.; // q/q_trial and dq/dq_trial
+    if (response.plastic)
+      {
+        const auto solution =
+          solve_return(flow_stress,
+                       ReturnProblem<>{trial_stress,
+                                       3. * shear_modulus,
+                                       old.plastic_strain,
+                                       old.temperature,
+                                       (dt > 0.) ? 1. / dt : 0.,
+                                       heating_coefficient,
+                                       guess},
+                       static_flow_stress);
+        if (!solution.found)
+          {
+            response.status = LawStatus::no_return;
+            return;
+          }
+        response.mises                = solution.stress;
+        response.state.plastic_strain = old.plastic_strain + solution.increment;
+        response.state.temperature    = solution.temperature;
+        slope                         = solution.slope;
+        ratio                         = solution.stress / trial_stress;
+        response.state.Cp_inverse     = hencky::updated_Cp_inverse(t, e, ratio);
+      }
+    dealii::Tensor<1, 3> tau = 2. * shear_modulus * ratio * e;
+    for (unsigned int a = 0; a < 3; ++a)
+      tau[a] += bulk_modulus * t.trace;
+    response.P = hencky::nominal_stress(tau, t);
+    if (with_tangent)
+      response.tangent = hencky::nominal_tangent(
+        hencky::radial_return_tangent(
+          {bulk_modulus, shear_modulus}, e, trial_stress, ratio, slope),
+        tau,
+        t);
   }
 
 

@@ -193,11 +193,11 @@ namespace asperity::hencky
    * dtau = volumetric tr(deps) 1 + shear deps + radial (s : deps) s,
    * the form that every isotropic radial return takes.
    */
-  template <class Number>
+  template <class Number, class Symmetric = SymmetricPlane<Number>>
   struct SpatialTangent
   {
-    Number                 volumetric, shear, radial;
-    SymmetricPlane<Number> s;
+    Number    volumetric, shear, radial;
+    Symmetric s;
   };
 
   struct Moduli
@@ -212,13 +212,13 @@ namespace asperity::hencky
    *
    * @param slope dq/dq_trial; 1, with ratio 1, in an elastic step
    */
-  template <class Number>
-  SpatialTangent<Number>
-  radial_return_tangent(const Moduli                 &moduli,
-                        const SymmetricPlane<Number> &e,
-                        const Number                 &trial_stress,
-                        const Number                 &ratio,
-                        const Number                 &slope)
+  template <class Number, class Symmetric>
+  SpatialTangent<Number, Symmetric>
+  radial_return_tangent(const Moduli    &moduli,
+                        const Symmetric &e,
+                        const Number    &trial_stress,
+                        const Number    &ratio,
+                        const Number    &slope)
   {
     const Number shear  = 2. * moduli.shear * ratio;
     const Number factor = moduli.shear / trial_stress;

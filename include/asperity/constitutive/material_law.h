@@ -57,11 +57,13 @@ namespace asperity
    * status), without mesh or degrees of freedom. All are isotropically elastic
    * at small strain.
    *
-   * The first index of F and P is spatial, the second one material. A law may
-   * rely on plane kinematics, F = [F11 F12 0; F21 F22 0; 0 0 F33] with F33 = 1
-   * in plane strain and F33 = r/R in axisymmetry (axes 1 = r, 2 = z,
-   * 3 = hoop). It then writes those components of P and of the tangent alone
-   * that such an F has; the others stay the zeros of a fresh response.
+   * The first index of F and P is spatial, the second one material.
+   * evaluate() and evaluate_points() may rely on plane kinematics,
+   * F = [F11 F12 0; F21 F22 0; 0 0 F33] with F33 = 1 in plane strain and
+   * F33 = r/R in axisymmetry (axes 1 = r, 2 = z, 3 = hoop). They then write
+   * those components of P and of the tangent alone that such an F has; the
+   * others stay the zeros of a fresh response. evaluate_general() is the same
+   * law for any F.
    */
   class MaterialLaw
   {
@@ -99,19 +101,16 @@ namespace asperity
         evaluate(F[q], old[q], dt, with_tangent, responses[q]);
     }
 
-    /** As evaluate_points() where F is any: all components of P, of its tangent
-     *  and of C_p^{-1} are read and written. */
+    /** The same at several points whose F need not be plane: every component
+     *  of F and C_p^{-1} counts, and every one of P, the tangent and C_p^{-1}
+     *  is written. */
     virtual void
     evaluate_general(const unsigned int          n_points,
                      const dealii::Tensor<2, 3> *F,
                      const MaterialState        *old,
                      const double                dt,
                      const bool                  with_tangent,
-                     MaterialResponse           *responses) const
-    {
-      for (unsigned int q = 0; q < n_points; ++q)
-        evaluate(F[q], old[q], dt, with_tangent, responses[q]);
-    }
+                     MaterialResponse           *responses) const = 0;
 
     /** As in a parameter file. */
     virtual std::string
