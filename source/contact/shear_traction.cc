@@ -339,6 +339,18 @@ namespace asperity
 
 
   template <int dim>
+  double
+  ShearTraction<dim>::size_at(const unsigned int point) const
+  {
+    Tensor<1, dim - 1> tau;
+    for (unsigned int k = 0; k < dim - 1; ++k)
+      tau[k] = point_traction[k][point];
+    return tau.norm();
+  }
+
+
+
+  template <int dim>
   const std::vector<SlipPoint<dim>> &
   ShearTraction<dim>::slip() const
   {

@@ -71,7 +71,7 @@ namespace asperity
     /** What the audit would choose, were all models `automatic`, and heat by
      *  how far it gets. */
     std::string
-    models_for(const SceneParameters &parameters, const Scene &scene)
+    models_for(const SceneParameters &parameters, const Scene<2> &scene)
     {
       SceneParameters open  = parameters;
       open.protocol.inertia = Inertia::automatic;
@@ -113,7 +113,7 @@ namespace asperity
 
 
   ForecastNumbers
-  forecast_numbers(const SceneParameters &parameters, const Scene &scene)
+  forecast_numbers(const SceneParameters &parameters, const Scene<2> &scene)
   {
     const Surface &tool   = scene.tool_surface;
     const Surface &chip   = scene.chip_surface;
@@ -178,7 +178,7 @@ namespace asperity
 
 
   std::vector<std::string>
-  advise(const SceneParameters &parameters, const Scene &scene)
+  advise(const SceneParameters &parameters, const Scene<2> &scene)
   {
     const ForecastNumbers numbers = forecast_numbers(parameters, scene);
     const LubricantModel  oil     = parameters.lubrication.model;

@@ -64,7 +64,7 @@ namespace asperity
         return false;
       try
         {
-          return Scene(with_fineness(scene, fineness)).n_unknowns() <=
+          return Scene<2>(with_fineness(scene, fineness)).n_unknowns() <=
                  scene.accuracy.maximum_unknowns;
         }
       catch (const InputError &)
@@ -89,7 +89,7 @@ namespace asperity
 
 
     /** The run at other settings of the scene. */
-    std::unique_ptr<SceneRun>
+    std::unique_ptr<SceneRun<2>>
     at_settings(const std::string     &file,
                 const SceneParameters &scene,
                 const Fineness        &fineness)
@@ -97,7 +97,7 @@ namespace asperity
       EntryValues changes = entries_of(scene, fineness);
       // The run can be repeated by its parameters.prm.
       changes.emplace_back("Accuracy/Control", "estimate");
-      return std::make_unique<SceneRun>(file, changes);
+      return std::make_unique<SceneRun<2>>(file, changes);
     }
   } // namespace
 

@@ -12,8 +12,9 @@ namespace asperity
 {
   namespace
   {
+    template <typename SurfaceType>
     double
-    peak_to_valley(const Surface &surface)
+    peak_to_valley(const SurfaceType &surface)
     {
       return surface.maximum() - surface.minimum();
     }
@@ -28,8 +29,9 @@ namespace asperity
       double length = 0.;
     };
 
+    template <int dim>
     Asperities
-    asperities_of(const Scene &scene)
+    asperities_of(const Scene<dim> &scene)
     {
       const double tool   = peak_to_valley(scene.tool_surface),
                    chip   = peak_to_valley(scene.chip_surface);
@@ -37,14 +39,15 @@ namespace asperity
       // What the splines of flat surfaces leave is round-off.
       if (height < 1e-9 * scene.length)
         return {};
-      const Surface &rougher =
+      const SurfaceOf<dim> &rougher =
         tool >= chip ? scene.tool_surface : scene.chip_surface;
       return {height, height / rougher.largest_slope()};
     }
 
+    template <int dim>
     void
     audit_time_scales(const SceneParameters &parameters,
-                      const Scene           &scene,
+                      const Scene<dim>      &scene,
                       SceneAudit            &audit)
     {
       const double E          = scene.law->young_modulus(),
@@ -135,9 +138,10 @@ namespace asperity
     }
 
     /** Whether mesh and time steps follow the surfaces. */
+    template <int dim>
     void
     audit_resolution(const SceneParameters &parameters,
-                     const Scene           &scene,
+                     const Scene<dim>      &scene,
                      SceneAudit            &audit)
     {
       const Asperities asperities = asperities_of(scene);
@@ -179,9 +183,10 @@ namespace asperity
      * tools/stability C29): mu over the second half of a way of a ninetieth, a
      * thirtieth, a ninth and a third of an asperity is 90 to 97, 71 to 83, 33
      * to 47 and 8 to 12 % below that of four. */
+    template <int dim>
     void
     audit_distance(const SceneParameters &parameters,
-                   const Scene           &scene,
+                   const Scene<dim>      &scene,
                    SceneAudit            &audit)
     {
       const double distance =
@@ -206,9 +211,10 @@ namespace asperity
     }
 
     /** Whether there are time steps enough for a mean over the way. */
+    template <int dim>
     void
     audit_steps(const SceneParameters &parameters,
-                const Scene           &scene,
+                const Scene<dim>      &scene,
                 SceneAudit            &audit)
     {
       const ProtocolParameters &protocol = parameters.protocol;
@@ -238,7 +244,7 @@ namespace asperity
     /** Waves that the mesh does not follow, of either surface. */
     void
     audit_waves(const SceneParameters &parameters,
-                const Scene           &scene,
+                const Scene<2>        &scene,
                 SceneAudit            &audit)
     {
       if (parameters.tool.kind == SurfaceKind::harmonics)
@@ -315,7 +321,7 @@ namespace asperity
 
     void
     audit_lubricant(const SceneParameters &parameters,
-                    const Scene           &scene,
+                    const Scene<2>        &scene,
                     SceneAudit            &audit)
     {
       const LubricationParameters &lubrication = parameters.lubrication;
@@ -375,7 +381,7 @@ namespace asperity
 
 
   SceneAudit
-  audit_scene(const SceneParameters &parameters, const Scene &scene)
+  audit_scene(const SceneParameters &parameters, const Scene<2> &scene)
   {
     SceneAudit audit;
     audit_time_scales(parameters, scene, audit);
@@ -388,6 +394,23 @@ namespace asperity
     audit_interface(parameters, audit);
     audit_surface(parameters.tool, scene.tool_surface, "Tool", audit);
     audit_surface(parameters.chip, scene.chip_surface, "Chip", audit);
+    return audit;
+  }
+
+
+
+  SceneAudit
+  audit_scene(const SceneParameters &parameters, const Scene<3> &scene)
+  {
+    SceneAudit audit;
+    audit_time_scales(parameters, scene, audit);
+    audit_resolution(parameters, scene, audit);
+    audit_numerics(parameters, scene, audit);
+    audit_distance(parameters, scene, audit);
+    audit_steps(parameters, scene, audit);
+    audit_interface(parameters, audit);
+    if (scene.tool_surface.topography)
+      audit_treatment(*scene.tool_surface.topography, "Tool", audit);
     return audit;
   }
 } // namespace asperity

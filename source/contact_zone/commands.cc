@@ -15,21 +15,114 @@ namespace asperity
 {
   namespace
   {
-    /** What is known before the first step. */
+    /** What is known before the first step.
+     *  @param notes beside those of the run */
+    template <int dim>
     void
-    begin_report(const AccurateRun &accurate)
+    begin_report(const SceneRun<dim>            &scene,
+                 const std::vector<std::string> &notes)
     {
-      const SceneRun     &scene   = *accurate.scene;
-      const AuditedScene &audited = scene.audited();
+      const AuditedScene<dim> &audited = scene.audited();
       print_scene(*audited.scene,
                   audited.audit,
                   scene.parameters().heat_model(),
                   false);
       print_unused(audited.audit.unused);
       print_warnings(scene.notes());
-      print_warnings(accurate.notes);
+      print_warnings(notes);
       if (scene.parameters().output.restart)
         std::cout << "Restart after step " << scene.run().state().step << "\n";
+    }
+
+    /** A scene in two dimensions, with what is known of its error. */
+    void
+    run_profile(const std::string &file)
+    {
+      dealii::Timer timer;
+      AccurateRun   accurate;
+      accurate.scene = std::make_unique<SceneRun<2>>(file);
+      const AccuracyParameters &accuracy =
+        accurate.scene->parameters().accuracy;
+      const bool is_wanted     = accuracy.is_wanted(),
+                 is_adaptive   = accuracy.is_adaptive();
+      accurate.accuracy.wanted = accuracy.error;
+
+      // Nothing has been written before all of the input is known to be good.
+      const auto folder = accurate.scene->lock_folder();
+      if (!folder->warning().empty())
+        accurate.notes.push_back(folder->warning());
+      std::cout << version_line() << "\n";
+      begin_report(*accurate.scene, accurate.notes);
+      ProgressLine progress(std::cout);
+      const auto   finish = [&]() {
+        std::vector<std::string> told = accurate.notes;
+        told.insert(told.end(),
+                    accurate.warnings.begin(),
+                    accurate.warnings.end());
+        accurate.scene->finish(accurate.accuracy, told, timer.wall_time());
+      };
+      if (is_adaptive)
+        run_adaptively(accurate, file, *folder, progress, finish);
+      else
+        {
+          accurate.scene->compute(*folder, progress);
+          // The results are safe before companions run, which may be killed.
+          finish();
+          if (is_wanted)
+            estimate_accuracy(accurate, progress);
+        }
+      if (is_wanted)
+        finish();
+      progress.note("");
+      const SceneRun<2> &scene = *accurate.scene;
+      print_result(scene.run(),
+                   scene.parameters(),
+                   accurate.accuracy.error,
+                   timer.wall_time());
+      print_warnings(scene.warnings());
+      print_warnings(accurate.warnings);
+    }
+
+
+    /** A scene in three dimensions. */
+    void
+    run_patch(const std::string &file)
+    {
+      dealii::Timer            timer;
+      SceneRun<3>              scene(file);
+      const auto               folder = scene.lock_folder();
+      std::vector<std::string> notes;
+      if (!folder->warning().empty())
+        notes.push_back(folder->warning());
+      std::cout << version_line() << "\n";
+      begin_report(scene, notes);
+      ProgressLine progress(std::cout);
+      scene.compute(*folder, progress);
+      scene.finish({}, notes, timer.wall_time());
+      progress.note("");
+      print_result(scene.run(),
+                   scene.parameters(),
+                   std::nullopt,
+                   timer.wall_time());
+      print_warnings(scene.warnings());
+    }
+
+    template <int dim>
+    void
+    check(SceneInput &input)
+    {
+      const AuditedScene<dim> audited(input);
+      print_scene(*audited.scene,
+                  audited.audit,
+                  input.parameters.heat_model(),
+                  true);
+      print_unused(audited.audit.unused);
+      if constexpr (dim == 2)
+        for (const std::string &sentence :
+             advise(input.parameters, *audited.scene))
+          std::cout << sentence << "\n";
+      print_warnings(notes_on_input(input));
+      print_warnings(audited.audit.warnings);
     }
   } // namespace
 
@@ -45,48 +138,10 @@ namespace asperity
     if (n_ranks > 1)
       std::cout << "A scene runs on one rank; the other " << n_ranks - 1
                 << " stay idle.\n";
-    dealii::Timer timer;
-    AccurateRun   accurate;
-    accurate.scene                      = std::make_unique<SceneRun>(file);
-    const AccuracyParameters &accuracy  = accurate.scene->parameters().accuracy;
-    const bool                is_wanted = accuracy.is_wanted(),
-               is_adaptive              = accuracy.is_adaptive();
-    accurate.accuracy.wanted            = accuracy.error;
-
-    // Nothing has been written before all of the input is known to be good.
-    const auto folder = accurate.scene->lock_folder();
-    if (!folder->warning().empty())
-      accurate.notes.push_back(folder->warning());
-    std::cout << version_line() << "\n";
-    begin_report(accurate);
-    ProgressLine progress(std::cout);
-    const auto   finish = [&]() {
-      std::vector<std::string> told = accurate.notes;
-      told.insert(told.end(),
-                  accurate.warnings.begin(),
-                  accurate.warnings.end());
-      accurate.scene->finish(accurate.accuracy, told, timer.wall_time());
-    };
-    if (is_adaptive)
-      run_adaptively(accurate, file, *folder, progress, finish);
+    if (SceneInput(file).parameters.geometry.dimension == 3)
+      run_patch(file);
     else
-      {
-        accurate.scene->compute(*folder, progress);
-        // The results are safe before companions run, which may be killed.
-        finish();
-        if (is_wanted)
-          estimate_accuracy(accurate, progress);
-      }
-    if (is_wanted)
-      finish();
-    progress.note("");
-    const SceneRun &scene = *accurate.scene;
-    print_result(scene.run(),
-                 scene.parameters(),
-                 accurate.accuracy.error,
-                 timer.wall_time());
-    print_warnings(scene.warnings());
-    print_warnings(accurate.warnings);
+      run_profile(file);
     return 0;
   }
 
@@ -97,17 +152,11 @@ namespace asperity
   {
     if (!is_first_rank())
       return 0;
-    SceneInput         input(file);
-    const AuditedScene audited(input);
-    print_scene(*audited.scene,
-                audited.audit,
-                input.parameters.heat_model(),
-                true);
-    print_unused(audited.audit.unused);
-    for (const std::string &sentence : advise(input.parameters, *audited.scene))
-      std::cout << sentence << "\n";
-    print_warnings(notes_on_input(input));
-    print_warnings(audited.audit.warnings);
+    SceneInput input(file);
+    if (input.parameters.geometry.dimension == 3)
+      check<3>(input);
+    else
+      check<2>(input);
     std::cout << file << " is valid.\n";
     return 0;
   }

@@ -17,6 +17,7 @@ namespace asperity
       row.time         = t;
       for (double FrictionRow::*entry : {&FrictionRow::T_x,
                                          &FrictionRow::T_y,
+                                         &FrictionRow::T_transverse,
                                          &FrictionRow::contact_fraction,
                                          &FrictionRow::interface_T_x,
                                          &FrictionRow::interface_T_y,
@@ -77,6 +78,7 @@ namespace asperity
                      mu_b   = friction_coefficient(b.T_x, b.T_y, way);
         sum.T_x += half * (a.T_x + b.T_x);
         sum.T_y += half * (a.T_y + b.T_y);
+        sum.T_transverse += half * (a.T_transverse + b.T_transverse);
         sum.interface_T_x += half * (a.interface_T_x + b.interface_T_x);
         sum.interface_T_y += half * (a.interface_T_y + b.interface_T_y);
         sum.contact_fraction +=
@@ -88,9 +90,11 @@ namespace asperity
         mu += half * (mu_a + mu_b);
         mu_squared += half * (mu_a * mu_a + mu_b * mu_b);
       }
-    const double duration   = result.window_end - result.window_begin;
-    result.T_x              = sum.T_x / duration;
-    result.T_y              = sum.T_y / duration;
+    const double duration = result.window_end - result.window_begin;
+    result.T_x            = sum.T_x / duration;
+    result.T_y            = sum.T_y / duration;
+    result.transverse =
+      sum.T_y != 0. ? sum.T_transverse / std::abs(sum.T_y) : 0.;
     result.contact_fraction = sum.contact_fraction / duration;
     result.oil_pressure     = sum.oil_pressure / duration;
     result.oil_T_x          = sum.oil_T_x / duration;

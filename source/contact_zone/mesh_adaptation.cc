@@ -50,7 +50,7 @@ namespace asperity
 
 
   MeshAdaptation::MeshAdaptation(const SceneParameters &parameters,
-                                 const Scene           &scene,
+                                 const Scene<2>        &scene,
                                  const LoadProtocol    &protocol)
     : parameters(parameters)
     , scene(scene)
@@ -150,7 +150,7 @@ namespace asperity
 
 
   double
-  plastic_work(const SolidAssembler<2>             &chip,
+  plastic_work(const SolidAssembler<2>          &chip,
                const std::vector<MaterialState> &states,
                const LoadParameters             &start)
   {

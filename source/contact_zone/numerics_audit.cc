@@ -19,8 +19,9 @@ namespace asperity
     }
 
     /** c of a penalty c E/h. */
+    template <int dim>
     double
-    penalty_factor(const Scene &scene)
+    penalty_factor(const Scene<dim> &scene)
     {
       return scene.penalty() * scene.contact_element_length() /
              scene.law->young_modulus();
@@ -30,9 +31,10 @@ namespace asperity
      *  the elements. Measured on R0 (300 MPa, 200 m/min): at nu = 0.49 the
      *  contact fraction falls by 5 % on 160 spans and by 40 % on 40, and mu
      *  rises by 0.3 % and 3.7 %. */
+    template <int dim>
     void
     audit_locking(const SceneParameters &parameters,
-                  const Scene           &scene,
+                  const Scene<dim>      &scene,
                   SceneAudit            &audit)
     {
       if (scene.law->poisson_ratio() > 0.47)
@@ -54,9 +56,10 @@ namespace asperity
      *  contact oscillate: of Hertz 5 % at 100, 17 % at 1000. */
     constexpr double hard_for_points = 30.;
 
+    template <int dim>
     void
     audit_contact_points(const SceneParameters &parameters,
-                         const Scene           &scene,
+                         const Scene<dim>      &scene,
                          SceneAudit            &audit)
     {
       const double c = penalty_factor(scene);
@@ -70,9 +73,10 @@ namespace asperity
           "to about 10, or take Contact/Formulation = mortar.");
     }
 
+    template <int dim>
     void
     audit_penalty(const SceneParameters &parameters,
-                  const Scene           &scene,
+                  const Scene<dim>      &scene,
                   SceneAudit            &audit)
     {
       const double position =
@@ -88,8 +92,9 @@ namespace asperity
 
     /** Time steps of the sliding over the time that an elastic wave needs
      *  through an element of the contact. */
+    template <int dim>
     double
-    waves_in_a_step(const SceneParameters &parameters, const Scene &scene)
+    waves_in_a_step(const SceneParameters &parameters, const Scene<dim> &scene)
     {
       const LoadProtocol course(parameters.load, parameters.protocol);
       const double       step = (course.end_time() - course.ramp_time()) /
@@ -105,9 +110,10 @@ namespace asperity
      *  16 % above that without mass with a radius of 0.8, 12 % in steps of a
      *  quarter, 4 % in steps of a sixteenth, and 1, 2 and 3 % with a radius of
      *  0. Oil that fills the gap damps. */
+    template <int dim>
     void
     audit_damping(const SceneParameters &parameters,
-                  const Scene           &scene,
+                  const Scene<dim>      &scene,
                   SceneAudit            &audit)
     {
       const double radius = parameters.protocol.spectral_radius;
@@ -149,9 +155,10 @@ namespace asperity
 
     /** Way that a spot under the mean pressure slides before its shear is as
      *  large as Coulomb's law allows, against the way of the run. */
+    template <int dim>
     void
     audit_stick(const SceneParameters &parameters,
-                const Scene           &scene,
+                const Scene<dim>      &scene,
                 SceneAudit            &audit)
     {
       const InterfaceParameters &interface = parameters.interface;
@@ -174,9 +181,10 @@ namespace asperity
 
 
 
+  template <int dim>
   void
   audit_numerics(const SceneParameters &parameters,
-                 const Scene           &scene,
+                 const Scene<dim>      &scene,
                  SceneAudit            &audit)
   {
     audit_locking(parameters, scene, audit);
@@ -188,4 +196,11 @@ namespace asperity
     audit_ramp(parameters, audit);
     audit_stick(parameters, scene, audit);
   }
+
+
+
+  template void
+  audit_numerics(const SceneParameters &, const Scene<2> &, SceneAudit &);
+  template void
+  audit_numerics(const SceneParameters &, const Scene<3> &, SceneAudit &);
 } // namespace asperity

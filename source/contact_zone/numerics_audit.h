@@ -7,9 +7,10 @@ namespace asperity
 {
   /** Choices of elements, contact and time integration that are known to fail,
    *  by the maps of tools/stability. */
+  template <int dim>
   void
   audit_numerics(const SceneParameters &parameters,
-                 const Scene           &scene,
+                 const Scene<dim>      &scene,
                  SceneAudit            &audit);
 } // namespace asperity
 

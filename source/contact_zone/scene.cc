@@ -1,4 +1,5 @@
 #include <asperity/contact/curve_obstacle.h>
+#include <asperity/contact/sheet_obstacle.h>
 #include <asperity/contact_zone/scene.h>
 #include <asperity/contact_zone/scene_heat.h>
 #include <asperity/isogeometric/element_view.h>
@@ -14,7 +15,25 @@ namespace asperity
   using dealii::Point;
   using Vector = dealii::Vector<double>;
 
-  Scene::Scene(const SceneParameters &parameters)
+  namespace
+  {
+    std::shared_ptr<RigidObstacle<2>>
+    make_obstacle(const Surface &tool)
+    {
+      return std::make_shared<CurveObstacle>(tool.curve, CurveSide::right);
+    }
+
+    std::shared_ptr<RigidObstacle<3>>
+    make_obstacle(const SheetSurface &tool)
+    {
+      return std::make_shared<SheetObstacle>(tool.sheet);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Scene<dim>::Scene(const SceneParameters &parameters)
   {
     build_surfaces(parameters);
     build_mesh(parameters);
@@ -29,12 +48,14 @@ namespace asperity
 
 
 
-  Scene::~Scene() = default;
+  template <int dim>
+  Scene<dim>::~Scene() = default;
 
 
 
+  template <>
   void
-  Scene::build_surfaces(const SceneParameters &parameters)
+  Scene<2>::build_surfaces(const SceneParameters &parameters)
   {
     std::tie(tool_surface, chip_surface) = make_surfaces(parameters);
     length                               = tool_surface.period;
@@ -52,15 +73,35 @@ namespace asperity
 
 
 
+  template <>
   void
-  Scene::build_chip(const SceneParameters &parameters)
+  Scene<3>::build_surfaces(const SceneParameters &parameters)
   {
-    chip =
-      std::make_unique<SolidAssembler<2>>(space,
-                                       geometry,
-                                       law,
-                                       Kinematics::plane_strain,
-                                       parameters.mesh.n_quadrature_points());
+    std::tie(tool_surface, chip_surface) = make_sheets(parameters);
+    length                               = tool_surface.sheet.period(0);
+    width                                = tool_surface.sheet.period(1);
+    // As of a profile.
+    if (parameters.tool.kind == SurfaceKind::measured)
+      tool_surface = tool_surface.mapped(-1., 0.);
+    chip_surface = chip_surface.mapped(1., parameters.geometry.height);
+    tool_surface =
+      tool_surface.mapped(1.,
+                          parameters.geometry.initial_gap -
+                            smallest_gap(chip_surface, tool_surface));
+  }
+
+
+
+  template <int dim>
+  void
+  Scene<dim>::build_chip(const SceneParameters &parameters)
+  {
+    chip = std::make_unique<SolidAssembler<dim>>(
+      space,
+      geometry,
+      law,
+      Kinematics::plane_strain,
+      parameters.mesh.n_quadrature_points());
     MaterialState start;
     start.temperature    = parameters.load.temperature;
     start.plastic_strain = parameters.load.plastic_strain;
@@ -69,11 +110,11 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  Scene::build_contact(const SceneParameters &parameters)
+  Scene<dim>::build_contact(const SceneParameters &parameters)
   {
-    tool =
-      std::make_shared<CurveObstacle>(tool_surface.curve, CurveSide::right);
+    tool                    = make_obstacle(tool_surface);
     contact_element_length_ = length / parameters.mesh.spans;
     penalty_                = parameters.contact.penalty.value_or(
       parameters.contact.penalty_factor * law->young_modulus() /
@@ -84,16 +125,18 @@ namespace asperity
     options.penalty            = penalty_;
     options.points_per_element = parameters.contact.quadrature;
     options.interface          = parameters.interface;
-    contact                    = std::make_unique<ContactAssembler<2>>(
+    contact                    = std::make_unique<ContactAssembler<dim>>(
       space, geometry, Edge::top, tool, options);
-    surface_layer =
-      std::make_unique<SurfaceLayer>(chip->table(), contact->table(), length);
+    surface_layer = std::make_unique<SurfaceLayer<dim>>(chip->table(),
+                                                        contact->table(),
+                                                        length);
   }
 
 
 
+  template <int dim>
   void
-  Scene::build_equilibrium(const DirectSolverKind linear_solver)
+  Scene<dim>::build_equilibrium(const DirectSolverKind linear_solver)
   {
     std::vector<ForceTerm *> terms = {chip.get(), contact.get()};
     if (lubricant)
@@ -110,88 +153,102 @@ namespace asperity
                                       DirectSolverKind::supernodal_lu);
     // A chip that floats on oil is held by the oil's volume alone.
     equilibrium->set_support(
-      displacement_dof<2>(space->edge_functions(Edge::bottom).front(), 1));
+      displacement_dof<dim>(space->edge_functions(Edge::bottom).front(),
+                            dim - 1));
   }
 
 
 
+  template <int dim>
   void
-  Scene::build_boundaries()
+  Scene<dim>::build_boundaries()
   {
     constraints_.clear();
     bottom_load_.reinit(n_unknowns());
     for (const unsigned int a : space->edge_functions(Edge::bottom))
-      constraints_.add_line(displacement_dof<2>(a, 0));
+      for (unsigned int c = 0; c < dim - 1; ++c)
+        constraints_.add_line(displacement_dof<dim>(a, c));
     constraints_.close();
-    const BasisTable<2> bottom = tabulate_edge(
-      *space, geometry, Edge::bottom, dealii::QGauss<1>(space->degree() + 1));
+    const BasisTable<dim> bottom =
+      tabulate_edge(*space,
+                    geometry,
+                    Edge::bottom,
+                    dealii::QGauss<dim - 1>(space->degree() + 1));
     for (const auto &entry : bottom.elements)
       {
-        const ElementView<2> element(bottom, entry);
+        const ElementView<dim> element(bottom, entry);
         for (unsigned int q = 0; q < bottom.points_per_element; ++q)
           for (unsigned int a = 0; a < element.n_functions(); ++a)
-            bottom_load_(element.dof(a, 1)) += element.N(q, a) * element.JxW(q);
+            bottom_load_(element.dof(a, dim - 1)) +=
+              element.N(q, a) * element.JxW(q);
       }
   }
 
 
 
+  template <int dim>
   void
-  Scene::build_heat(const SceneParameters &parameters)
+  Scene<dim>::build_heat(const SceneParameters &parameters)
   {
-    if (parameters.heat_model() == HeatModel::conducting)
-      heat = std::make_unique<SceneHeat>(
-        parameters, *space, geometry, length, *chip, *contact);
+    if constexpr (dim == 2)
+      if (parameters.heat_model() == HeatModel::conducting)
+        heat = std::make_unique<SceneHeat>(
+          parameters, *space, geometry, length, *chip, *contact);
   }
 
 
 
+  template <int dim>
   unsigned int
-  Scene::n_dofs() const
+  Scene<dim>::n_dofs() const
   {
-    return 2 * space->n_functions();
+    return dim * space->n_functions();
   }
 
 
 
+  template <int dim>
   unsigned int
-  Scene::n_unknowns() const
+  Scene<dim>::n_unknowns() const
   {
     return n_dofs() + n_lubricant_unknowns;
   }
 
 
 
+  template <int dim>
   Vector
-  Scene::initial_unknowns() const
+  Scene<dim>::initial_unknowns() const
   {
     return initial_unknowns_;
   }
 
 
 
+  template <int dim>
   double
-  Scene::penalty() const
+  Scene<dim>::penalty() const
   {
     return penalty_;
   }
 
 
 
+  template <int dim>
   double
-  Scene::contact_element_length() const
+  Scene<dim>::contact_element_length() const
   {
     return contact_element_length_;
   }
 
 
 
+  template <int dim>
   std::vector<double>
-  Scene::shear_strength(const double rate) const
+  Scene<dim>::shear_strength(const double rate) const
   {
     std::vector<double> k;
-    for (const SurfaceLayer::Point &point :
-         surface_layer->at_edge(chip->history()))
+    for (const auto &point : surface_layer->at_edge(chip->history()))
       k.push_back(
         law->shear_limit(point.plastic_strain, rate, point.temperature));
     return k;
@@ -199,45 +256,71 @@ namespace asperity
 
 
 
+  template <int dim>
   const Vector &
-  Scene::bottom_load() const
+  Scene<dim>::bottom_load() const
   {
     return bottom_load_;
   }
 
 
 
+  template <int dim>
   const dealii::AffineConstraints<double> &
-  Scene::constraints() const
+  Scene<dim>::constraints() const
   {
     return constraints_;
   }
 
 
 
+  template <int dim>
   Vector
-  Scene::translation(const double x, const double y) const
+  Scene<dim>::translation(const double along, const double up) const
   {
     Vector u(n_unknowns());
     for (unsigned int a = 0; a < space->n_functions(); ++a)
       {
-        u(displacement_dof<2>(a, 0)) = x;
-        u(displacement_dof<2>(a, 1)) = y;
+        u(displacement_dof<dim>(a, 0))       = along;
+        u(displacement_dof<dim>(a, dim - 1)) = up;
       }
     return u;
   }
 
 
 
+  template <int dim>
   double
-  Scene::flash_temperature() const
+  Scene<dim>::flash_temperature() const
   {
     if (heat)
       return heat->flash_temperature();
     double hottest = 0.;
-    for (const SurfaceLayer::Point &point :
-         surface_layer->at_edge(chip->history()))
+    for (const auto &point : surface_layer->at_edge(chip->history()))
       hottest = std::max(hottest, point.temperature);
     return hottest;
   }
+
+
+
+  template <int dim>
+  double
+  Scene<dim>::area() const
+  {
+    return length * width;
+  }
+
+
+
+  template <int dim>
+  double
+  Scene<dim>::interface_temperature() const
+  {
+    return surface_layer->mean_temperature(chip->history());
+  }
+
+
+
+  template class Scene<2>;
+  template class Scene<3>;
 } // namespace asperity

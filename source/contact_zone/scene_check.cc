@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "patch_check.h"
+
 namespace asperity
 {
   namespace
@@ -46,6 +48,17 @@ namespace asperity
                        std::to_string(fewest_quadrature_points()) +
                        ", or 0 for the usual number, since the chip could "
                        "move without stress.");
+  }
+
+
+
+  unsigned int
+  MeshParameters::n_spans_across(const double length, const double width) const
+  {
+    const unsigned int multiple = 1u << refinement;
+    const double       equal    = across ? *across : spans * width / length;
+    const unsigned int n        = std::ceil(equal / multiple - 1e-9);
+    return std::max(n, degree + 1) * multiple;
   }
 
 
@@ -254,6 +267,8 @@ namespace asperity
     material.check(parameters);
     check_interface(*this, parameters);
     check_adaptive_levels(*this, parameters);
+    if (geometry.dimension == 3)
+      check_patch(*this, parameters);
     heat.check(parameters, material.heating.adiabatic);
     protocol.check(parameters, load.velocity);
     if (fills_gap(lubrication.model) &&

@@ -37,13 +37,14 @@ namespace asperity
 
 
 
+  template <int dim>
   std::string
-  save(const SlidingRun &run, const Scene &scene)
+  save(const SlidingRun<dim> &run, const Scene<dim> &scene)
   {
     return to_bytes([&](OutputArchive &archive) {
       archive << column_names() << run.state() << scene.chip->history()
               << scene.contact->multipliers() << scene.contact->hints();
-      if (const ShearTraction<2> *shear = scene.contact->shear())
+      if (const ShearTraction<dim> *shear = scene.contact->shear())
         archive << shear->history().tractions << shear->history().pressures
                 << shear->history().positions;
       if (scene.lubricant)
@@ -60,15 +61,16 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  load(const std::string &bytes, SlidingRun &run, Scene &scene)
+  load(const std::string &bytes, SlidingRun<dim> &run, Scene<dim> &scene)
   {
     RunState                   state       = run.state();
     SolidStep::State           motion      = run.solid_step().state();
     std::vector<MaterialState> history     = scene.chip->history();
-    std::vector<double>        multipliers = scene.contact->multipliers(),
-                        hints              = scene.contact->hints();
-    ShearTraction<2>::History shear;
+    std::vector<double>        multipliers = scene.contact->multipliers();
+    auto                       hints       = scene.contact->hints();
+    typename ShearTraction<dim>::History shear;
     if (scene.contact->shear() != nullptr)
       shear = scene.contact->shear()->history();
     from_bytes(bytes, "The state of the run", [&](InputArchive &archive) {
@@ -100,6 +102,17 @@ namespace asperity
       scene.contact->shear()->set_history(shear);
     run.set_state(state);
   }
+
+
+
+  template std::string
+  save(const SlidingRun<2> &, const Scene<2> &);
+  template std::string
+  save(const SlidingRun<3> &, const Scene<3> &);
+  template void
+  load(const std::string &, SlidingRun<2> &, Scene<2> &);
+  template void
+  load(const std::string &, SlidingRun<3> &, Scene<3> &);
 
 
 

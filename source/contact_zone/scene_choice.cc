@@ -252,7 +252,7 @@ namespace asperity
     {
       SceneParameters parameters = choice.parameters;
       parameters.resolve();
-      const AuditedScene audited(parameters);
+      const AuditedScene<2> audited(parameters);
       choice.lubricant = audited.audit.lubricant;
       for (const std::string &warning : audited.audit.warnings)
         if (warning.find("surface: ") == std::string::npos)

@@ -14,8 +14,9 @@ namespace asperity
     constexpr double melted = 0.02;
 
     /** Whether plastic work has all but melted a point of the chip. */
+    template <int dim>
     void
-    warn_of_melting(const SlidingRun         &run,
+    warn_of_melting(const SlidingRun<dim>    &run,
                     const SceneParameters    &parameters,
                     std::vector<std::string> &warnings)
     {
@@ -35,8 +36,9 @@ namespace asperity
     }
 
     /** That tool, oil and load have done on the chip since the start [J/m]. */
+    template <int dim>
     double
-    work_on_chip(const SlidingRun &run)
+    work_on_chip(const SlidingRun<dim> &run)
     {
       const std::vector<FrictionRow> &rows = run.state().rows;
       double                          work = 0.;
@@ -51,8 +53,9 @@ namespace asperity
     /** Whether the oil shears as no oil does: the limiting stress grows
      *  linearly with the pressure, so that its mean over the period belongs
      *  to the mean pressure. */
+    template <int dim>
     void
-    warn_of_oil_shear(const SlidingRun         &run,
+    warn_of_oil_shear(const SlidingRun<dim>    &run,
                       const double              length,
                       const SceneParameters    &parameters,
                       std::vector<std::string> &warnings)
@@ -80,9 +83,10 @@ namespace asperity
 
 
 
+  template <int dim>
   std::vector<std::string>
   warnings_of_run(const std::vector<std::string> &warnings_of_audit,
-                  const SlidingRun               &run,
+                  const SlidingRun<dim>          &run,
                   const SceneParameters          &parameters)
   {
     std::vector<std::string> warnings = warnings_of_audit;
@@ -129,30 +133,55 @@ namespace asperity
 
 
 
+  template std::vector<std::string>
+  warnings_of_run(const std::vector<std::string> &,
+                  const SlidingRun<2> &,
+                  const SceneParameters &);
+  template std::vector<std::string>
+  warnings_of_run(const std::vector<std::string> &,
+                  const SlidingRun<3> &,
+                  const SceneParameters &);
+
+
+
+  namespace
+  {
+    template <int dim>
+    SceneResult
+    compute(SceneParameters &parameters)
+    {
+      const AuditedScene<dim> audited(parameters);
+      SlidingRun<dim>         run(parameters, *audited.scene);
+      run.run([](const SlidingRun<dim> &) {});
+
+      SceneResult result;
+      result.friction      = run.friction();
+      result.status        = run.judgement().status;
+      result.over_distance = means_over_distance(run.state().rows, 0.1e-6);
+      result.last          = run.state().rows.back();
+      result.lubricant     = name(parameters.lubrication.model);
+      result.mechanisms    = mechanisms_of(parameters);
+      result.is_steady =
+        parameters.protocol.window == FrictionWindow::time || run.is_steady();
+      result.steps             = run.state().step;
+      result.newton_iterations = run.newton_statistics().iterations;
+      result.unknowns          = run.mean_unknowns();
+      result.warnings =
+        warnings_of_run(audited.audit.warnings, run, parameters);
+      if (result.friction.T_y != 0.)
+        result.oil_load_share = result.friction.oil_pressure *
+                                audited.scene->length /
+                                std::abs(result.friction.T_y);
+      return result;
+    }
+  } // namespace
+
+
+
   SceneResult
   compute_scene(SceneParameters &parameters)
   {
-    const AuditedScene audited(parameters);
-    SlidingRun         run(parameters, *audited.scene);
-    run.run([](const SlidingRun &) {});
-
-    SceneResult result;
-    result.friction      = run.friction();
-    result.status        = run.judgement().status;
-    result.over_distance = means_over_distance(run.state().rows, 0.1e-6);
-    result.last          = run.state().rows.back();
-    result.lubricant     = name(parameters.lubrication.model);
-    result.mechanisms    = mechanisms_of(parameters);
-    result.is_steady =
-      parameters.protocol.window == FrictionWindow::time || run.is_steady();
-    result.steps             = run.state().step;
-    result.newton_iterations = run.newton_statistics().iterations;
-    result.unknowns          = run.mean_unknowns();
-    result.warnings = warnings_of_run(audited.audit.warnings, run, parameters);
-    if (result.friction.T_y != 0.)
-      result.oil_load_share = result.friction.oil_pressure *
-                              audited.scene->length /
-                              std::abs(result.friction.T_y);
-    return result;
+    return parameters.geometry.dimension == 3 ? compute<3>(parameters) :
+                                                compute<2>(parameters);
   }
 } // namespace asperity

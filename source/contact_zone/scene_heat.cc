@@ -46,10 +46,10 @@ namespace asperity
 
 
 
-  SceneHeat::SceneHeat(const SceneParameters  &parameters,
-                       const SplineSpace<2>   &space,
-                       const PatchGeometry<2> &geometry,
-                       const double            period,
+  SceneHeat::SceneHeat(const SceneParameters     &parameters,
+                       const SplineSpace<2>      &space,
+                       const PatchGeometry<2>    &geometry,
+                       const double               period,
                        SolidAssembler<2>         &chip,
                        const ContactAssembler<2> &contact)
     : parameters(parameters.heat)

@@ -18,8 +18,9 @@ namespace asperity
 
 
 
-  AuditedScene::AuditedScene(SceneParameters &parameters)
-    : scene(std::make_unique<Scene>(parameters))
+  template <int dim>
+  AuditedScene<dim>::AuditedScene(SceneParameters &parameters)
+    : scene(std::make_unique<Scene<dim>>(parameters))
     , audit(audit_scene(parameters, *scene))
   {
     if (parameters.protocol.inertia == Inertia::automatic)
@@ -41,13 +42,14 @@ namespace asperity
     if (parameters.lubrication.model == LubricantModel::automatic)
       {
         parameters.lubrication.model = audit.lubricant;
-        scene                        = std::make_unique<Scene>(parameters);
+        scene                        = std::make_unique<Scene<dim>>(parameters);
       }
   }
 
 
 
-  AuditedScene::AuditedScene(SceneInput &input)
+  template <int dim>
+  AuditedScene<dim>::AuditedScene(SceneInput &input)
   try : AuditedScene(input.parameters)
     {
       audit.unused = unused_entries(input.parameters, input.declarator);
@@ -56,4 +58,9 @@ namespace asperity
     {
       throw InputError(input.file + ": " + error.what());
     }
+
+
+
+  template struct AuditedScene<2>;
+  template struct AuditedScene<3>;
 } // namespace asperity

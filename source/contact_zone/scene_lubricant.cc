@@ -19,8 +19,9 @@ namespace asperity
 
 
 
+  template <>
   void
-  Scene::build_lubricant(const SceneParameters &parameters)
+  Scene<2>::build_lubricant(const SceneParameters &parameters)
   {
     const LubricationParameters &lubrication = parameters.lubrication;
     initial_unknowns_.reinit(n_dofs());
@@ -44,8 +45,9 @@ namespace asperity
 
 
 
+  template <>
   double
-  Scene::gap_scale(const SceneParameters &parameters) const
+  Scene<2>::gap_scale(const SceneParameters &parameters) const
   {
     // Gaps are scaled by the tool, the chip, the start: by what is not flat.
     for (const double scale : {tool_surface.maximum() - tool_surface.minimum(),
@@ -58,8 +60,9 @@ namespace asperity
 
 
 
+  template <>
   void
-  Scene::build_film(const SceneParameters &parameters)
+  Scene<2>::build_film(const SceneParameters &parameters)
   {
     const LubricationParameters &lubrication = parameters.lubrication;
     FilmTermOptions              options;
@@ -83,8 +86,9 @@ namespace asperity
 
 
 
+  template <>
   void
-  Scene::build_flow(const SceneParameters &parameters)
+  Scene<2>::build_flow(const SceneParameters &parameters)
   {
     GapFlowOptions options = parameters.lubrication.gap_flow();
     options.oil            = oil_at_start(parameters);
@@ -96,9 +100,10 @@ namespace asperity
 
 
 
-  double
-  Scene::interface_temperature() const
+  template <>
+  void
+  Scene<3>::build_lubricant(const SceneParameters &)
   {
-    return surface_layer->mean_temperature(chip->history());
+    initial_unknowns_.reinit(n_dofs());
   }
 } // namespace asperity

@@ -3,6 +3,7 @@
 #include <asperity/isogeometric/space_transfer.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace asperity
@@ -43,15 +44,23 @@ namespace asperity
 
   namespace
   {
-    /** Bezier elements whose tables, tangent and factors take about 2 GB. */
-    constexpr double largest_mesh = 1e5;
+    /** Bezier elements whose tables, tangent and factors take about 2 GB, in
+     *  three dimensions 10 GB. */
+    template <int dim>
+    constexpr double largest_mesh = dim == 2 ? 1e5 : 3e4;
 
     /** Upper bound of the number of elements: each row is as fine as its upper
-     *  edge. */
+     *  edge.
+     *  @param columns of the coarsest mesh */
+    template <int dim>
     double
     largest_number_of_elements(const MeshParameters      &mesh,
+                               const unsigned int         columns,
                                const std::vector<double> &rows)
     {
+      const auto columns_in_one = [](const unsigned int level) {
+        return 1u << (level * (dim - 1));
+      };
       double sum = 0.;
       for (std::size_t i = 1; i < rows.size(); ++i)
         {
@@ -67,67 +76,99 @@ namespace asperity
                 mesh.strip * (1u << (mesh.refinement - l)) /
                   ((rows[i] - rows[i - 1]) / (1u << l)) +
                 2.;
-              finer += (1u << l) * std::min<double>(1u << l, rows_of_level);
+              finer +=
+                columns_in_one(l) * std::min<double>(1u << l, rows_of_level);
             }
-          sum += (mesh.spans >> mesh.refinement) * finer;
+          sum += columns * finer;
         }
       return sum;
     }
 
     /** Before memory runs out. */
+    template <int dim>
     void
-    check_size(const MeshParameters &mesh, const std::vector<double> &rows)
+    check_size(const MeshParameters      &mesh,
+               const unsigned int         columns,
+               const std::vector<double> &rows)
     {
-      const double n = largest_number_of_elements(mesh, rows);
-      if (n > largest_mesh)
+      const double n = largest_number_of_elements<dim>(mesh, columns, rows);
+      if (n > largest_mesh<dim>)
         throw InputError("Mesh: these entries make a mesh of about " +
                          format_quantity(n, "1", 2) +
                          " elements; expected at most " +
-                         format_quantity(largest_mesh, "1") +
+                         format_quantity(largest_mesh<dim>, "1") +
                          ": fewer Spans, a larger Row grading, a smaller Strip "
                          "depth, or a smaller Chip height.");
+    }
+
+    double
+    height_at(const Surface &surface, const Point<2> &p)
+    {
+      return surface.height(p[0]);
+    }
+
+    double
+    height_at(const SheetSurface &surface, const Point<3> &p)
+    {
+      return surface.sheet.value(Point<2>(p[0], p[1]));
+    }
+
+    KnotVector
+    periodic_knots(const unsigned int degree,
+                   const double       period,
+                   const unsigned int n)
+    {
+      std::vector<double> columns(n + 1);
+      for (unsigned int i = 0; i <= n; ++i)
+        columns[i] = period * i / n;
+      return KnotVector(degree, columns, true);
     }
   } // namespace
 
 
 
+  template <int dim>
   void
-  Scene::build_mesh(const SceneParameters &parameters)
+  Scene<dim>::build_mesh(const SceneParameters &parameters)
   {
     const MeshParameters &mesh   = parameters.mesh;
     const double          height = parameters.geometry.height;
     const unsigned int    n      = mesh.spans >> mesh.refinement;
-    std::vector<double>   columns(n + 1);
-    for (unsigned int i = 0; i <= n; ++i)
-      columns[i] = length * i / n;
+    const unsigned int    n_across =
+      dim == 3 ? mesh.n_spans_across(length, width) >> mesh.refinement : 1;
     const std::vector<double> rows =
       graded_rows(height, length / n, mesh.grading);
-    check_size(mesh, rows);
-    space =
-      std::make_shared<SplineSpace<2>>(KnotVector(mesh.degree, columns, true),
-                                       KnotVector(mesh.degree, rows));
+    check_size<dim>(mesh, n * n_across, rows);
+    std::array<KnotVector, dim> knots;
+    knots[0]       = periodic_knots(mesh.degree, length, n);
+    knots[dim - 1] = KnotVector(mesh.degree, rows);
+    if constexpr (dim == 3)
+      knots[1] = periodic_knots(mesh.degree, width, n_across);
+    space = std::make_shared<SplineSpace<dim>>(knots);
     for (unsigned int level = 1; level <= mesh.n_even_levels(); ++level)
       space->refine_to_level(
-        level, [&](const Point<2> &, const Point<2> &upper) {
-          return is_in_strip(mesh, level, height - upper[1]);
+        level, [&](const Point<dim> &, const Point<dim> &upper) {
+          return is_in_strip(mesh, level, height - upper[dim - 1]);
         });
     if (parameters.chip.kind == SurfaceKind::flat)
       return;
     // The offset of the chip's top decays into the depth, so that the coarse
     // rows need not resolve it.
-    geometry = PatchGeometry<2>::from_map(*space, [&](const Point<2> &p) {
-      const double eta = p[1] / height;
-      return Point<2>(p[0],
-                      p[1] + (chip_surface.height(p[0]) - height) *
-                               std::pow(eta, 4));
+    geometry = PatchGeometry<dim>::from_map(*space, [&](const Point<dim> &p) {
+      const double eta    = p[dim - 1] / height;
+      Point<dim>   raised = p;
+      raised[dim - 1] +=
+        (height_at(chip_surface, p) - height) * std::pow(eta, 4);
+      return raised;
     });
   }
 
 
 
+  template <int dim>
   bool
-  Scene::adapt_mesh(const SceneParameters           &parameters,
-                    const SplineSpace<2>::CellLevel &wanted)
+  Scene<dim>::adapt_mesh(const SceneParameters                      &parameters,
+                         const typename SplineSpace<dim>::CellLevel &wanted)
   {
     Assert(geometry.offset.empty() && !lubricant && !heat,
            dealii::ExcNotImplemented());
@@ -145,4 +186,14 @@ namespace asperity
     initial_unknowns_.reinit(n_unknowns());
     return true;
   }
+
+
+
+  template void
+  Scene<2>::build_mesh(const SceneParameters &);
+  template void
+  Scene<3>::build_mesh(const SceneParameters &);
+  template bool
+  Scene<2>::adapt_mesh(const SceneParameters &,
+                       const SplineSpace<2>::CellLevel &);
 } // namespace asperity

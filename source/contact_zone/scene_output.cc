@@ -1,8 +1,6 @@
 #include <asperity/base/version.h>
 #include <asperity/contact_zone/scene_checkpoint.h>
-#include <asperity/contact_zone/scene_heat.h>
 #include <asperity/contact_zone/scene_output.h>
-#include <asperity/postprocess/polyline.h>
 
 #include <deal.II/base/timer.h>
 
@@ -23,10 +21,11 @@ namespace asperity
 
 
 
-  SceneOutput::SceneOutput(const SceneParameters &parameters,
-                           const InputRecord     &inputs,
-                           const Scene           &scene,
-                           const RunState        &state)
+  template <int dim>
+  SceneOutput<dim>::SceneOutput(const SceneParameters &parameters,
+                                const InputRecord     &inputs,
+                                const Scene<dim>      &scene,
+                                const RunState        &state)
     : parameters(parameters)
     , inputs(inputs)
     , scene(scene)
@@ -45,8 +44,9 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  SceneOutput::step(const SlidingRun &run)
+  SceneOutput<dim>::step(const SlidingRun<dim> &run)
   {
     dealii::Timer timer;
     table.append(run.state().rows.back());
@@ -63,25 +63,17 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  SceneOutput::write_pictures(const SlidingRun &run)
+  SceneOutput<dim>::write_pictures(const SlidingRun<dim> &run)
   {
     const unsigned int step = run.state().step;
     const double       time = run.state().time;
     last_picture            = step;
     write_chip(run);
 
-    Polyline           curve;
-    const unsigned int n = 4 * scene.tool_surface.curve.knot_vector().n_spans();
-    for (unsigned int i = 0; i <= n; ++i)
-      {
-        const double x = scene.length * i / n;
-        curve.points.emplace_back(x, scene.tool_surface.height(x));
-      }
-    tool.write(step, time, [&](std::ostream &out) {
-      write_polyline(out, curve, time, step);
-    });
-    write_contact_line(run.state().u, step, time);
+    write_tool(step, time);
+    write_contact(run.state().u, step, time);
     if (oil)
       oil->write(step, time, [&](std::ostream &out) {
         scene.gap_flow->write(out, time, step);
@@ -90,8 +82,9 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  SceneOutput::write_chip(const SlidingRun &run)
+  SceneOutput<dim>::write_chip(const SlidingRun<dim> &run)
   {
     const unsigned int step = run.state().step;
     const double       time = run.state().time;
@@ -126,67 +119,9 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  SceneOutput::write_contact_line(const dealii::Vector<double> &u,
-                                  const unsigned int            step,
-                                  const double                  time)
-  {
-    Polyline                          line;
-    const auto                       &contact = *scene.contact;
-    std::vector<double>               gap, oil_pressure;
-    std::vector<dealii::Tensor<1, 2>> traction;
-    const ShearTraction<2>              *shear = contact.shear();
-    // per present length
-    std::vector<double>       pressure = contact.pressure(), shear_traction;
-    const std::vector<double> stretch  = contact.stretch(u);
-    if (shear != nullptr)
-      shear_traction = shear->at_points();
-    for (std::size_t q = 0; q < pressure.size(); ++q)
-      {
-        pressure[q] /= stretch[q];
-        gap.push_back(contact.gaps()[q].gap);
-        oil_pressure.push_back(
-          scene.lubricant ?
-            scene.lubricant->pressure(contact.table().parameter[q][0]) :
-            0.);
-        traction.push_back(pressure[q] * contact.gaps()[q].normal);
-        if (shear == nullptr)
-          continue;
-        shear_traction[q] /= stretch[q];
-        traction.back() -= shear_traction[q] * shear->slip()[q].tangent;
-      }
-    line.points  = contact.positions();
-    line.scalars = {{"contact pressure [Pa]", pressure},
-                    {"oil pressure [Pa]", oil_pressure},
-                    {"gap [m]", gap}};
-    line.vectors = {{"traction [Pa]", traction}};
-    if (shear != nullptr)
-      {
-        line.scalars.emplace_back("shear traction [Pa]", shear_traction);
-        line.scalars.emplace_back("sticking [-]", shear->sticking());
-      }
-    if (scene.heat)
-      {
-        const auto add = [&line](const std::string  &name,
-                                 std::vector<double> temperature) {
-          for (double &value : temperature)
-            value -= 273.15;
-          line.scalars.push_back({name, temperature});
-        };
-        add("temperature of the chip [degC]", scene.heat->chip_temperature());
-        add("temperature of the tool [degC]", scene.heat->tool_temperature());
-        line.scalars.push_back(
-          {"heat flux into the tool [W/m^2]", scene.heat->flux_to_tool()});
-      }
-    contact_line.write(step, time, [&](std::ostream &out) {
-      write_polyline(out, line, time, step);
-    });
-  }
-
-
-
-  void
-  SceneOutput::write_checkpoint(const SlidingRun &run) const
+  SceneOutput<dim>::write_checkpoint(const SlidingRun<dim> &run) const
   {
     checkpoints.write({version_line(), inputs, save(run, scene)},
                       run.state().step);
@@ -194,9 +129,15 @@ namespace asperity
 
 
 
+  template <int dim>
   double
-  SceneOutput::seconds() const
+  SceneOutput<dim>::seconds() const
   {
     return seconds_;
   }
+
+
+
+  template class SceneOutput<2>;
+  template class SceneOutput<3>;
 } // namespace asperity

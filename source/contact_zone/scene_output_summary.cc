@@ -16,8 +16,10 @@ namespace asperity
 
   namespace
   {
+    template <int dim>
     json
-    summarise_friction(const SlidingRun &run, const SceneParameters &parameters)
+    summarise_friction(const SlidingRun<dim> &run,
+                       const SceneParameters &parameters)
     {
       const FrictionResult    friction  = run.friction();
       const FrictionJudgement judgement = run.judgement();
@@ -27,6 +29,7 @@ namespace asperity
       summary["ploughing"]       = friction.ploughing;
       summary["interface_shear"] = friction.interface_shear;
       summary["oil_shear"]       = friction.oil_shear;
+      summary["transverse"]      = friction.transverse;
       summary["mu_end"]          = friction.mu_end;
       summary["spread"]          = friction.spread;
       summary["valid"]           = judgement.status == FrictionStatus::valid;
@@ -55,9 +58,10 @@ namespace asperity
       return std::isfinite(value) ? json(value) : json(nullptr);
     }
 
+    template <int dim>
     json
-    summarise_oil(const SlidingRun      &run,
-                  const Scene           &scene,
+    summarise_oil(const SlidingRun<dim> &run,
+                  const Scene<dim>      &scene,
                   const SceneParameters &parameters)
     {
       const FrictionResult friction = run.friction();
@@ -80,8 +84,9 @@ namespace asperity
       return summary;
     }
 
+    template <int dim>
     json
-    summarise_heat(const SlidingRun &run)
+    summarise_heat(const SlidingRun<dim> &run)
     {
       const std::vector<FrictionRow> &rows     = run.state().rows;
       const FrictionResult            friction = run.friction();
@@ -102,15 +107,17 @@ namespace asperity
 
     /** The columns of the last row that summary.json shows. */
     void
-    add_end(const FrictionRow &last, const Scene &scene, json &summary)
+    add_end(const FrictionRow &last,
+            const bool         has_oil,
+            const bool         has_heat,
+            json              &summary)
     {
       const auto is_in = [](const FrictionColumn &column, const char *section) {
         return column.summary.rfind(section, 0) == 0;
       };
       for (const FrictionColumn &column : friction_columns())
-        if (!column.summary.empty() &&
-            (scene.lubricant || !is_in(column, "/oil/")) &&
-            (scene.heat || !is_in(column, "/heat/")))
+        if (!column.summary.empty() && (has_oil || !is_in(column, "/oil/")) &&
+            (has_heat || !is_in(column, "/heat/")))
           std::visit(
             [&](const auto entry) {
               summary[json::json_pointer(column.summary)] = last.*entry;
@@ -118,9 +125,10 @@ namespace asperity
             column.member);
     }
 
+    template <int dim>
     json
-    summarise_mesh(const SlidingRun      &run,
-                   const Scene           &scene,
+    summarise_mesh(const SlidingRun<dim> &run,
+                   const Scene<dim>      &scene,
                    const SceneParameters &parameters)
     {
       json summary = {{"degree", scene.space->degree()},
@@ -142,11 +150,12 @@ namespace asperity
       return summary;
     }
 
+    template <int dim>
     json
-    summarise_cost(const SlidingRun &run,
-                   const Scene      &scene,
-                   const double      output_seconds,
-                   const double      wall_time)
+    summarise_cost(const SlidingRun<dim> &run,
+                   const Scene<dim>      &scene,
+                   const double           output_seconds,
+                   const double           wall_time)
     {
       const EquilibriumCost &cost = scene.equilibrium->cost();
       json                   summary;
@@ -169,12 +178,13 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  SceneOutput::finish(const SlidingRun               &run,
-                      const SceneAudit               &audit,
-                      const AccuracyReport           &accuracy,
-                      const std::vector<std::string> &warnings,
-                      const double                    wall_time)
+  SceneOutput<dim>::finish(const SlidingRun<dim>          &run,
+                           const SceneAudit               &audit,
+                           const AccuracyReport           &accuracy,
+                           const std::vector<std::string> &warnings,
+                           const double                    wall_time)
   {
     dealii::Timer timer;
     if (last_picture != run.state().step)
@@ -191,7 +201,10 @@ namespace asperity
       summary["oil"] = summarise_oil(run, scene, parameters);
     if (scene.heat)
       summary["heat"] = summarise_heat(run);
-    add_end(run.state().rows.back(), scene, summary);
+    add_end(run.state().rows.back(),
+            scene.lubricant != nullptr,
+            scene.heat != nullptr,
+            summary);
     summary["load"]   = {{"pressure", parameters.load.pressure},
                          {"velocity", parameters.load.velocity},
                          {"temperature", parameters.load.temperature},
@@ -206,6 +219,8 @@ namespace asperity
     summary["surfaces"]   = {{"period", scene.length},
                              {"tool", scene.tool_surface.description},
                              {"chip", scene.chip_surface.description}};
+    if (dim == 3)
+      summary["surfaces"]["width"] = scene.width;
     json numbers;
     for (const AuditEntry &entry : audit.entries)
       numbers[entry.name] = {{"value", number_or_null(entry.value)},
@@ -220,4 +235,19 @@ namespace asperity
     summary["unused_entries"] = unused;
     write_summary(parameters.output.directory + "/summary.json", summary);
   }
+
+
+
+  template void
+  SceneOutput<2>::finish(const SlidingRun<2> &,
+                         const SceneAudit &,
+                         const AccuracyReport &,
+                         const std::vector<std::string> &,
+                         const double);
+  template void
+  SceneOutput<3>::finish(const SlidingRun<3> &,
+                         const SceneAudit &,
+                         const AccuracyReport &,
+                         const std::vector<std::string> &,
+                         const double);
 } // namespace asperity

@@ -6,6 +6,19 @@ namespace asperity
   GeometryParameters::declare(ParameterDeclarator &parameters)
   {
     const auto in_section = parameters.subsection("Geometry");
+    parameters.integer("Dimension",
+                       dimension,
+                       Range::between(2, 3),
+                       "2: profiles in plane strain; 3: a patch of the "
+                       "surfaces, periodic along and across the motion, "
+                       "without oil and without conduction of heat.");
+    parameters.quantity("Width",
+                        width,
+                        "um",
+                        Range::between(1e-8, 1e-2),
+                        "W, the period across the motion of a patch "
+                        "(Dimension = 3); `automatic`: as the period along "
+                        "it.");
     parameters.quantity("Period",
                         length,
                         "um",
@@ -41,6 +54,12 @@ namespace asperity
                        spans,
                        Range::between(4, most_spans),
                        "Bezier elements along the contact edge over a period.");
+    parameters.integer("Spans across",
+                       across,
+                       Range::between(4, most_spans),
+                       "Bezier elements along the contact edge across the "
+                       "motion, of a patch (Dimension = 3); `automatic`: as "
+                       "long as along it.");
     parameters.integer("Refinement levels",
                        refinement,
                        Range::between(0, most_levels),
@@ -271,8 +290,9 @@ namespace asperity
       return HeatModel::isothermal;
     // The heat of friction arises on the surface: without conduction it has
     // nowhere to go, and the layer that shears would melt by its own heat.
-    return interface.law == InterfaceShear::none ? HeatModel::adiabatic :
-                                                   HeatModel::conducting;
+    return interface.law == InterfaceShear::none || geometry.dimension == 3 ?
+             HeatModel::adiabatic :
+             HeatModel::conducting;
   }
 
 

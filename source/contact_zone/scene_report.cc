@@ -13,18 +13,30 @@ namespace asperity
   {
     /** What was made of the file of a measured surface. */
     void
-    print_treatment(const Surface &surface)
+    print_map(const TopographyReport &report)
     {
-      if (!surface.topography)
-        return;
-      const TopographyReport &report = *surface.topography;
       std::cout << "  " << report.sanity.format << ", " << report.sanity.nx
                 << " x " << report.sanity.ny << " points, "
                 << format_quantity(report.sanity.length_x, "um", 4) << " x "
                 << format_quantity(report.sanity.length_y, "um", 4) << "\n";
       for (const std::string &step : report.steps)
         std::cout << "  " << step << "\n";
-      const ProfileRoughness &roughness = report.profile_roughness;
+    }
+
+    void
+    print_treatment(const SheetSurface &surface)
+    {
+      if (surface.topography)
+        print_map(*surface.topography);
+    }
+
+    void
+    print_treatment(const Surface &surface)
+    {
+      if (!surface.topography)
+        return;
+      print_map(*surface.topography);
+      const ProfileRoughness &roughness = surface.topography->profile_roughness;
       std::cout << "  Finished profile: Rq "
                 << format_quantity(roughness.Rq, "um", 3) << ", Rz "
                 << format_quantity(roughness.Rz, "um", 3)
@@ -36,14 +48,17 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  print_scene(const Scene      &scene,
+  print_scene(const Scene<dim> &scene,
               const SceneAudit &audit,
               const HeatModel   heat,
               const bool        explain)
   {
     std::cout << "Tool: " << scene.tool_surface.description << ", period "
-              << format_quantity(scene.length, "um", 4) << ", peak to valley "
+              << format_quantity(scene.length, "um", 4)
+              << (dim == 3 ? " x " + format_quantity(scene.width, "um", 4) : "")
+              << ", peak to valley "
               << format_quantity(scene.tool_surface.maximum() -
                                    scene.tool_surface.minimum(),
                                  "um",
@@ -108,8 +123,9 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  print_result(const SlidingRun                   &run,
+  print_result(const SlidingRun<dim>              &run,
                const SceneParameters              &parameters,
                const std::optional<ErrorEstimate> &error,
                const double                        seconds)
@@ -151,4 +167,27 @@ namespace asperity
               << std::setprecision(3) << seconds << " s; results in "
               << parameters.output.directory << "\n";
   }
+
+
+
+  template void
+  print_scene(const Scene<2> &,
+              const SceneAudit &,
+              const HeatModel,
+              const bool);
+  template void
+  print_scene(const Scene<3> &,
+              const SceneAudit &,
+              const HeatModel,
+              const bool);
+  template void
+  print_result(const SlidingRun<2> &,
+               const SceneParameters &,
+               const std::optional<ErrorEstimate> &,
+               const double);
+  template void
+  print_result(const SlidingRun<3> &,
+               const SceneParameters &,
+               const std::optional<ErrorEstimate> &,
+               const double);
 } // namespace asperity

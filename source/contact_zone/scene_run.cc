@@ -13,10 +13,11 @@ namespace asperity
   namespace
   {
     /** Keeps the last good state if there is room for it, and says where. */
+    template <int dim>
     std::string
-    kept_state(const SceneOutput &output,
-               const SlidingRun  &run,
-               const std::string &directory)
+    kept_state(const SceneOutput<dim> &output,
+               const SlidingRun<dim>  &run,
+               const std::string      &directory)
     {
       try
         {
@@ -39,8 +40,9 @@ namespace asperity
                        });
     }
 
+    template <int dim>
     void
-    show_step(const SlidingRun &run, ProgressLine &progress)
+    show_step(const SlidingRun<dim> &run, ProgressLine &progress)
     {
       const FrictionRow &row = run.state().rows.back();
       progress.update(row.time / run.protocol().end_time(),
@@ -69,7 +71,8 @@ namespace asperity
 
 
 
-  SceneRun::SceneRun(const std::string &file, const EntryValues &changes)
+  template <int dim>
+  SceneRun<dim>::SceneRun(const std::string &file, const EntryValues &changes)
     : input(file, changes)
     , audited_(input)
     , run_(input.parameters, *audited_.scene)
@@ -81,8 +84,9 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  SceneRun::restart()
+  SceneRun<dim>::restart()
   {
     try
       {
@@ -105,8 +109,9 @@ namespace asperity
 
 
 
+  template <int dim>
   std::unique_ptr<OutputFolder>
-  SceneRun::lock_folder() const
+  SceneRun<dim>::lock_folder() const
   {
     return std::make_unique<OutputFolder>(parameters().output.directory,
                                           input.declarator.where(
@@ -116,18 +121,19 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  SceneRun::compute(const OutputFolder &folder, ProgressLine &progress)
+  SceneRun<dim>::compute(const OutputFolder &folder, ProgressLine &progress)
   {
     folder.clear(parameters().output.restart);
     write_parameters(input);
-    output = std::make_unique<SceneOutput>(parameters(),
-                                           input.record,
-                                           *audited_.scene,
-                                           run_.state());
+    output = std::make_unique<SceneOutput<dim>>(parameters(),
+                                                input.record,
+                                                *audited_.scene,
+                                                run_.state());
     try
       {
-        run_.run([&](const SlidingRun &now) {
+        run_.run([&](const SlidingRun<dim> &now) {
           output->step(now);
           show_step(now, progress);
         });
@@ -144,10 +150,11 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  SceneRun::finish(const AccuracyReport           &accuracy,
-                   const std::vector<std::string> &warnings,
-                   const double                    seconds)
+  SceneRun<dim>::finish(const AccuracyReport           &accuracy,
+                        const std::vector<std::string> &warnings,
+                        const double                    seconds)
   {
     std::vector<std::string> all = notes_;
     for (const auto &list : {this->warnings(), warnings})
@@ -157,51 +164,62 @@ namespace asperity
 
 
 
+  template <int dim>
   const SceneParameters &
-  SceneRun::parameters() const
+  SceneRun<dim>::parameters() const
   {
     return input.parameters;
   }
 
 
 
-  const AuditedScene &
-  SceneRun::audited() const
+  template <int dim>
+  const AuditedScene<dim> &
+  SceneRun<dim>::audited() const
   {
     return audited_;
   }
 
 
 
-  const SlidingRun &
-  SceneRun::run() const
+  template <int dim>
+  const SlidingRun<dim> &
+  SceneRun<dim>::run() const
   {
     return run_;
   }
 
 
 
+  template <int dim>
   const std::vector<std::string> &
-  SceneRun::notes() const
+  SceneRun<dim>::notes() const
   {
     return notes_;
   }
 
 
 
+  template <int dim>
   std::vector<std::string>
-  SceneRun::warnings() const
+  SceneRun<dim>::warnings() const
   {
     return warnings_of_run(audited_.audit.warnings, run_, parameters());
   }
 
 
 
+  template <int dim>
   FamilyMember
-  SceneRun::member() const
+  SceneRun<dim>::member() const
   {
     return {run_.friction().mu,
             run_.mean_unknowns(),
             run_.newton_statistics().iterations};
   }
+
+
+
+  template class SceneRun<2>;
+  template class SceneRun<3>;
 } // namespace asperity

@@ -20,7 +20,9 @@ namespace asperity
 
 
 
-  SlidingRun::SlidingRun(const SceneParameters &parameters, Scene &scene)
+  template <int dim>
+  SlidingRun<dim>::SlidingRun(const SceneParameters &parameters,
+                              Scene<dim>            &scene)
     : parameters(parameters)
     , scene(scene)
     , protocol_(parameters.load, parameters.protocol)
@@ -32,9 +34,10 @@ namespace asperity
           std::optional(parameters.protocol.spectral_radius) :
           std::nullopt))
   {
-    if (parameters.mesh.adaptive_levels > 0)
-      adaptation =
-        std::make_unique<MeshAdaptation>(parameters, scene, protocol_);
+    if constexpr (dim == 2)
+      if (parameters.mesh.adaptive_levels > 0)
+        adaptation =
+          std::make_unique<MeshAdaptation>(parameters, scene, protocol_);
     state_.u = state_.u_previous = scene.initial_unknowns();
     state_.coverage.assign(scene.contact->table().JxW.size(),
                            scene.lubricant ? scene.oil.part_at_start : 0.);
@@ -60,8 +63,9 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  SlidingRun::run(const Observer &observer)
+  SlidingRun<dim>::run(const Observer &observer)
   {
     while (!finished())
       {
@@ -74,8 +78,9 @@ namespace asperity
                    scene.chip->history()};
         take_step(
           proposed_step(protocol_.next_time(state_.time) - state_.time));
-        if (adaptation)
-          adapt_mesh(start);
+        if constexpr (dim == 2)
+          if (adaptation)
+            adapt_mesh(start);
         record(timer.wall_time());
         observer(*this);
       }
@@ -83,8 +88,9 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  SlidingRun::take_step(double dt)
+  SlidingRun<dim>::take_step(double dt)
   {
     std::string  reason;
     unsigned int halvings = 0;
@@ -103,8 +109,9 @@ namespace asperity
 
 
 
+  template <int dim>
   bool
-  SlidingRun::finished() const
+  SlidingRun<dim>::finished() const
   {
     if (state_.time >= protocol_.end_time() * (1. - 1e-9))
       return true;
@@ -113,8 +120,9 @@ namespace asperity
 
 
 
+  template <int dim>
   bool
-  SlidingRun::is_steady() const
+  SlidingRun<dim>::is_steady() const
   {
     const double window = parameters.protocol.steady_distance;
     const double slid   = state_.rows.back().sliding_distance;
@@ -132,8 +140,9 @@ namespace asperity
 
 
 
+  template <int dim>
   bool
-  SlidingRun::try_step(const double dt, std::string &reason)
+  SlidingRun<dim>::try_step(const double dt, std::string &reason)
   {
     const std::vector<double> multipliers     = scene.contact->multipliers();
     const auto                begin_lubricant = [&]() {
@@ -159,7 +168,9 @@ namespace asperity
           continue;
         tried = u;
         for (const auto &line : scene.constraints().get_lines())
-          u(line.index) = protocol_.displacement(state_.time + dt);
+          u(line.index) = line.index % dim == 0 ?
+                            protocol_.displacement(state_.time + dt) :
+                            0.;
         const ConvergenceReport report =
           lubricated_step_ ? lubricated_step_->advance(u, dt) : solve(u);
         if (report.converged && yields_too_much())
@@ -183,8 +194,9 @@ namespace asperity
 
 
 
+  template <int dim>
   double
-  SlidingRun::proposed_step(const double regular) const
+  SlidingRun<dim>::proposed_step(const double regular) const
   {
     // A limit that has halved a step is likely to halve the next one, too.
     return parameters.protocol.strain_increment > 0. && state_.step > 0 ?
@@ -194,8 +206,9 @@ namespace asperity
 
 
 
+  template <int dim>
   bool
-  SlidingRun::yields_too_much() const
+  SlidingRun<dim>::yields_too_much() const
   {
     const double limit = parameters.protocol.strain_increment;
     return limit > 0. && scene.chip->largest_strain_increment() > limit;
@@ -203,8 +216,9 @@ namespace asperity
 
 
 
+  template <int dim>
   double
-  SlidingRun::newton_tolerance() const
+  SlidingRun<dim>::newton_tolerance() const
   {
     double tolerance = parameters.solver.tolerance;
     double pressure  = parameters.load.pressure;
@@ -216,13 +230,14 @@ namespace asperity
           std::min(tolerance, 0.01 * parameters.lubrication.coupling.tolerance);
         pressure = std::max(step_pressure, smallest_load * pressure);
       }
-    return tolerance * pressure * scene.length;
+    return tolerance * pressure * scene.area();
   }
 
 
 
+  template <int dim>
   ConvergenceReport
-  SlidingRun::solve(Vector &u)
+  SlidingRun<dim>::solve(Vector &u)
   {
     // A pass of the augmented-Lagrange loop or of the exchange with the
     // lubricant asks for the chip's balance again.
@@ -266,8 +281,9 @@ namespace asperity
 
 
 
-  std::vector<SlidingRun::Predictor>
-  SlidingRun::predictors(const double dt) const
+  template <int dim>
+  std::vector<typename SlidingRun<dim>::Predictor>
+  SlidingRun<dim>::predictors(const double dt) const
   {
     const double x  = protocol_.displacement(state_.time + dt);
     const double dx = x - protocol_.displacement(state_.time);
@@ -314,22 +330,23 @@ namespace asperity
 
 
 
+  template <int dim>
   double
-  SlidingRun::touching_shift(const Vector &u, const double pressure) const
+  SlidingRun<dim>::touching_shift(const Vector &u, const double pressure) const
   {
     Vector     residual(scene.n_unknowns());
     const auto supports = [&](const double shift) {
       Vector shifted = u;
       shifted += scene.translation(0., shift);
       scene.contact->add(shifted, residual, nullptr);
-      double force = -scene.contact->state().force[1];
+      double force = -scene.contact->state().force[dim - 1];
       if (scene.lubricant)
         {
           if (!scene.lubricant->add(shifted, residual, nullptr))
             return true;
           force -= scene.lubricant->state().pressure_force[1];
         }
-      return force >= pressure * scene.length;
+      return force >= pressure * scene.area();
     };
     if (supports(0.))
       return 0.;
@@ -344,14 +361,15 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  SlidingRun::accept(const Vector &u, const double dt)
+  SlidingRun<dim>::accept(const Vector &u, const double dt)
   {
     step->accept(u);
     first_guess.reset();
     if (scene.heat)
       scene.heat->advance(u, dt, frictional_power(dt));
-    if (ShearTraction<2> *shear = scene.contact->shear())
+    if (ShearTraction<dim> *shear = scene.contact->shear())
       shear->accept();
     if (scene.lubricant)
       {

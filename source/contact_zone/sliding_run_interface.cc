@@ -5,8 +5,9 @@
 
 namespace asperity
 {
+  template <int dim>
   void
-  SlidingRun::warm_oil()
+  SlidingRun<dim>::warm_oil()
   {
     const LubricantParameters &oil = parameters.lubrication.oil;
     if (scene.lubricant && oil.temperature.law != TemperatureLaw::none)
@@ -16,8 +17,9 @@ namespace asperity
 
 
 
+  template <int dim>
   double
-  SlidingRun::oil_temperature() const
+  SlidingRun<dim>::oil_temperature() const
   {
     const double tool = scene.heat ? scene.heat->mean_tool_temperature() :
                                      parameters.load.temperature;
@@ -26,10 +28,11 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  SlidingRun::renew_interface()
+  SlidingRun<dim>::renew_interface()
   {
-    ShearTraction<2> *shear = scene.contact->shear();
+    ShearTraction<dim> *shear = scene.contact->shear();
     if (shear == nullptr)
       return;
     std::vector<double> k(state_.coverage.size(), 0.);
@@ -40,8 +43,9 @@ namespace asperity
 
 
 
+  template <int dim>
   std::vector<double>
-  SlidingRun::shear_strength() const
+  SlidingRun<dim>::shear_strength() const
   {
     std::vector<double> k = scene.shear_strength(
       parameters.load.velocity / parameters.interface.shear_layer);
@@ -53,10 +57,11 @@ namespace asperity
 
 
 
+  template <int dim>
   std::vector<double>
-  SlidingRun::frictional_power(const double dt) const
+  SlidingRun<dim>::frictional_power(const double dt) const
   {
-    const ShearTraction<2> *shear = scene.contact->shear();
+    const ShearTraction<dim> *shear = scene.contact->shear();
     if (shear == nullptr)
       return std::vector<double>(scene.contact->table().JxW.size(), 0.);
     std::vector<double> power = shear->dissipation();
@@ -67,28 +72,31 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  SlidingRun::record_interface(FrictionRow &row) const
+  SlidingRun<dim>::record_interface(FrictionRow &row) const
   {
-    const ContactState<2> contact   = scene.contact->state();
-    const double       direction = protocol_.direction(row.time);
-    row.interface_T_x            = contact.shear_force[0];
-    row.interface_T_y            = contact.shear_force[1];
+    const ContactState<dim> contact   = scene.contact->state();
+    const double            direction = protocol_.direction(row.time);
+    const LineLoad          shear     = per_width(contact.shear_force);
+    row.interface_T_x                 = shear.along;
+    row.interface_T_y                 = shear.up;
     row.interface_shear =
       friction_coefficient(row.interface_T_x, row.T_y, direction);
     row.oil_shear = friction_coefficient(row.shear_T_x, row.T_y, direction);
     row.ploughing = row.mu - row.interface_shear - row.oil_shear;
     row.sticking  = contact.sticking;
     const CurrentContact current = scene.contact->current_state(state_.u);
-    row.touching_length          = current.length;
+    row.touching_length          = current.length / scene.width;
     row.real_contact_pressure    = current.mean_pressure;
     row.max_contact_pressure     = current.max_pressure;
   }
 
 
 
+  template <int dim>
   void
-  SlidingRun::record_lubricant(FrictionRow &row) const
+  SlidingRun<dim>::record_lubricant(FrictionRow &row) const
   {
     const LubricantState       oil   = scene.lubricant->state();
     const dealii::Tensor<1, 2> force = oil.pressure_force + oil.shear_force;

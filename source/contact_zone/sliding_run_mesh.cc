@@ -23,10 +23,10 @@ namespace asperity
     }
 
     /** Where closest points may lie: above those of the edge. */
-    std::vector<double>
+    std::vector<dealii::Point<1>>
     hints(const BasisTable<2> &edge, const Vector &u)
     {
-      std::vector<double> x;
+      std::vector<dealii::Point<1>> x;
       for (const auto &entry : edge.elements)
         {
           const ElementView<2> element(edge, entry);
@@ -34,7 +34,7 @@ namespace asperity
             {
               dealii::Point<2> point = edge.position[element.point(q)];
               element.add_displacement(q, u, point);
-              x.push_back(point[0]);
+              x.emplace_back(point[0]);
             }
         }
       return x;
@@ -60,8 +60,9 @@ namespace asperity
 
 
 
+  template <>
   double
-  SlidingRun::present_friction() const
+  SlidingRun<2>::present_friction() const
   {
     const ContactState<2> contact = scene.contact->state();
     return friction_coefficient(contact.force[0],
@@ -71,8 +72,9 @@ namespace asperity
 
 
 
+  template <>
   void
-  SlidingRun::adapt_mesh(const StepStart &start)
+  SlidingRun<2>::adapt_mesh(const StepStart &start)
   {
     const double time = state_.time, dt = state_.dt_previous;
     const double mu = present_friction(), gap = scene.contact->state().mean_gap;
@@ -107,8 +109,10 @@ namespace asperity
 
 
 
+  template <>
   void
-  SlidingRun::go_back(const StepStart &start, const SplineHierarchy<2> &before)
+  SlidingRun<2>::go_back(const StepStart          &start,
+                         const SplineHierarchy<2> &before)
   {
     const SplineHierarchy<2> &after = *scene.space->hierarchy();
     const SpaceTransfer<2>    transfer(before, after);

@@ -16,16 +16,19 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  SlidingRun::record(const double seconds)
+  SlidingRun<dim>::record(const double seconds)
   {
-    const ContactState<2> contact = scene.contact->state();
-    FrictionRow        row;
+    const ContactState<dim> contact = scene.contact->state();
+    const LineLoad          force   = per_width(contact.force);
+    FrictionRow             row;
     row.step             = state_.step;
     row.time             = state_.time;
     row.sliding_distance = protocol_.displacement(state_.time);
-    row.T_x              = contact.force[0];
-    row.T_y              = contact.force[1];
+    row.T_x              = force.along;
+    row.T_y              = force.up;
+    row.T_transverse     = force.across;
     if (scene.lubricant)
       record_lubricant(row);
     row.mu =
@@ -62,8 +65,9 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  SlidingRun::record_heat(FrictionRow &row) const
+  SlidingRun<dim>::record_heat(FrictionRow &row) const
   {
     const HeatAmounts &heat = scene.heat->amounts();
     row.plastic_heat        = heat.plastic;
@@ -76,8 +80,9 @@ namespace asperity
 
 
 
+  template <int dim>
   FrictionResult
-  SlidingRun::friction() const
+  SlidingRun<dim>::friction() const
   {
     const double end   = state_.time;
     const double begin = parameters.protocol.window == FrictionWindow::time ?
@@ -90,30 +95,32 @@ namespace asperity
 
 
 
+  template <int dim>
   FrictionJudgement
-  SlidingRun::judgement() const
+  SlidingRun<dim>::judgement() const
   {
     return judge_friction(state_.rows, friction(), protocol_, scene.length);
   }
 
 
 
+  template <int dim>
   std::string
-  SlidingRun::excess_shear() const
+  SlidingRun<dim>::excess_shear() const
   {
-    const ShearTraction<2> *shear = scene.contact->shear();
+    const ShearTraction<dim> *shear = scene.contact->shear();
     if (shear == nullptr || parameters.interface.uses_shear_strength())
       return "";
-    const std::vector<double>  k     = shear_strength();
-    const std::vector<double> &tau   = shear->at_points();
-    std::size_t                worst = 0;
+    const std::vector<double> k = shear_strength();
+    const auto  tau   = [&](const std::size_t q) { return shear->size_at(q); };
+    std::size_t worst = 0;
     for (std::size_t q = 0; q < k.size(); ++q)
-      if (std::abs(tau[q]) * k[worst] > std::abs(tau[worst]) * k[q])
+      if (tau(q) * k[worst] > tau(worst) * k[q])
         worst = q;
-    if (std::abs(tau[worst]) <= k[worst])
+    if (tau(worst) <= k[worst])
       return "";
     return "Coulomb's law asks for a shear stress of up to " +
-           format_quantity(std::abs(tau[worst]), "MPa", 3) +
+           format_quantity(tau(worst), "MPa", 3) +
            " where the chip itself bears " +
            format_quantity(k[worst], "MPa", 3) +
            ": try Interface/Shear law = limited Coulomb.";
@@ -121,8 +128,9 @@ namespace asperity
 
 
 
+  template <int dim>
   std::string
-  SlidingRun::coarse_film() const
+  SlidingRun<dim>::coarse_film() const
   {
     const auto *film = dynamic_cast<const FilmTerm *>(scene.lubricant.get());
     return film == nullptr ? "" : film->coarseness();
@@ -130,8 +138,9 @@ namespace asperity
 
 
 
+  template <int dim>
   std::string
-  SlidingRun::remedies() const
+  SlidingRun<dim>::remedies() const
   {
     std::string           sentences;
     const auto           &viscosity = parameters.lubrication.oil.viscosity;
@@ -157,16 +166,18 @@ namespace asperity
 
 
 
+  template <int dim>
   const RunState &
-  SlidingRun::state() const
+  SlidingRun<dim>::state() const
   {
     return state_;
   }
 
 
 
+  template <int dim>
   void
-  SlidingRun::set_state(const RunState &state)
+  SlidingRun<dim>::set_state(const RunState &state)
   {
     state_ = state;
     // The counts go on from those of the rows.
@@ -176,68 +187,96 @@ namespace asperity
 
 
 
+  template <int dim>
   SolidStep &
-  SlidingRun::solid_step()
+  SlidingRun<dim>::solid_step()
   {
     return *step;
   }
 
 
 
+  template <int dim>
   const SolidStep &
-  SlidingRun::solid_step() const
+  SlidingRun<dim>::solid_step() const
   {
     return *step;
   }
 
 
 
+  template <int dim>
   LubricatedStep *
-  SlidingRun::lubricated_step() const
+  SlidingRun<dim>::lubricated_step() const
   {
     return lubricated_step_.get();
   }
 
 
 
+  template <int dim>
   const LoadProtocol &
-  SlidingRun::protocol() const
+  SlidingRun<dim>::protocol() const
   {
     return protocol_;
   }
 
 
 
+  template <int dim>
   double
-  SlidingRun::period() const
+  SlidingRun<dim>::period() const
   {
     return scene.length;
   }
 
 
 
+  template <int dim>
   const NewtonStatistics &
-  SlidingRun::newton_statistics() const
+  SlidingRun<dim>::newton_statistics() const
   {
     return statistics;
   }
 
 
 
+  template <int dim>
   unsigned int
-  SlidingRun::n_cuts() const
+  SlidingRun<dim>::n_cuts() const
   {
     return cuts;
   }
 
 
 
+  template <int dim>
   unsigned int
-  SlidingRun::mean_unknowns() const
+  SlidingRun<dim>::mean_unknowns() const
   {
     if (!adaptation || statistics.iterations == 0)
       return scene.n_unknowns();
     return static_cast<unsigned int>(
       std::lround(state_.remeshing.unknown_iterations / statistics.iterations));
+  }
+
+
+
+  template <int dim>
+  double
+  SlidingRun<dim>::area() const
+  {
+    return scene.area();
+  }
+
+
+
+  template <int dim>
+  typename SlidingRun<dim>::LineLoad
+  SlidingRun<dim>::per_width(const dealii::Tensor<1, dim> &force) const
+  {
+    return {force[0] / scene.width,
+            force[dim - 1] / scene.width,
+            dim == 3 ? force[1] / scene.width : 0.};
   }
 } // namespace asperity

@@ -61,6 +61,18 @@ namespace asperity
 
 
   void
+  audit_treatment(const TopographyReport &report,
+                  const std::string      &whose,
+                  SceneAudit             &audit)
+  {
+    for (const auto &list : {report.sanity.warnings, report.warnings})
+      for (const std::string &warning : list)
+        audit.warnings.push_back(whose + " surface: " + warning);
+  }
+
+
+
+  void
   audit_surface(const SurfaceParameters &parameters,
                 const Surface           &surface,
                 const std::string       &whose,
@@ -68,10 +80,7 @@ namespace asperity
   {
     if (!surface.topography)
       return;
-    for (const auto &list :
-         {surface.topography->sanity.warnings, surface.topography->warnings})
-      for (const std::string &warning : list)
-        audit.warnings.push_back(whose + " surface: " + warning);
+    audit_treatment(*surface.topography, whose, audit);
     audit_texture(surface.topography->map, whose, audit);
     audit_filter(parameters.topography, surface.topography->map, whose, audit);
   }

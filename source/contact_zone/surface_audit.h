@@ -8,6 +8,12 @@
 
 namespace asperity
 {
+  /** What the reader and the treatment of a measured surface complain of. */
+  void
+  audit_treatment(const TopographyReport &report,
+                  const std::string      &whose,
+                  SceneAudit             &audit);
+
   /**
    * What the reader and the treatment of a measured surface complain of, and
    * what somebody has decided about it, with what that did to mu of the

@@ -47,6 +47,12 @@ namespace asperity
           section + "/Phases"},
          "the Kind harmonics",
          kind(SurfaceKind::harmonics)},
+        {{section + "/Wave numbers across"},
+         "the Kind harmonics in three dimensions",
+         [=](const SceneParameters &p) {
+         return (p.*surface).kind == SurfaceKind::harmonics &&
+                p.geometry.dimension == 3;
+       }},
         {{section + "/Spline degree", section + "/Spline spans", map + "Scale z"},
          "the Kinds harmonics and measured",
          [=](const SceneParameters &p) {

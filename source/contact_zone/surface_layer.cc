@@ -2,48 +2,66 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace asperity
 {
-  std::vector<SurfaceLayer::Column>
-  SurfaceLayer::columns_under(const BasisTable<2> &body,
-                              const BasisTable<2> &edge)
+  namespace
+  {
+    /** Gauss points of a cell in each direction. */
+    template <int dim>
+    unsigned int
+    points_a_direction(const BasisTable<dim> &body)
+    {
+      return std::lround(std::pow(body.points_per_element, 1. / dim));
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<typename SurfaceLayer<dim>::Column>
+  SurfaceLayer<dim>::columns_under(const BasisTable<dim> &body,
+                                   const BasisTable<dim> &edge)
   {
     std::set<unsigned int> cells;
     for (const auto &element : edge.elements)
       cells.insert(element.cell);
     // The points of a cell are numbered along the edge first.
-    const unsigned int  n = std::lround(std::sqrt(body.points_per_element));
-    const double        height = edge.parameter.front()[1];
+    const unsigned int  n       = points_a_direction(body);
+    const unsigned int  n_layer = body.points_per_element / n;
+    const double        height  = edge.parameter.front()[dim - 1];
     std::vector<Column> result;
     for (const auto &element : body.elements)
       if (cells.count(element.cell) > 0)
-        for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int i = 0; i < n_layer; ++i)
           {
-            const unsigned int top   = element.first_point + n * (n - 1) + i;
-            const unsigned int below = top - n;
-            const double       upper = body.parameter[top][1];
+            const unsigned int top =
+              element.first_point + n_layer * (n - 1) + i;
+            const unsigned int below = top - n_layer;
+            const double       upper = body.parameter[top][dim - 1];
             result.push_back(
               {top,
                below,
-               (height - upper) / (upper - body.parameter[below][1])});
+               (height - upper) / (upper - body.parameter[below][dim - 1])});
           }
-    std::sort(result.begin(),
-              result.end(),
-              [&](const Column &a, const Column &b) {
-                return body.parameter[a.top][0] < body.parameter[b.top][0];
-              });
     return result;
   }
 
 
 
-  SurfaceLayer::SurfaceLayer(const BasisTable<2> &body,
-                             const BasisTable<2> &edge,
-                             const double         period)
+  template <>
+  SurfaceLayer<2>::SurfaceLayer(const BasisTable<2> &body,
+                                const BasisTable<2> &edge,
+                                const double         period)
     : columns(columns_under(body, edge))
   {
+    std::sort(columns.begin(),
+              columns.end(),
+              [&](const Column &a, const Column &b) {
+                return body.parameter[a.top][0] < body.parameter[b.top][0];
+              });
     for (const Column &column : columns)
       area.push_back(body.JxW[column.top]);
     const unsigned int n = columns.size();
@@ -61,17 +79,70 @@ namespace asperity
                            }) -
           columns.begin();
         const unsigned int right = after % n, left = (after + n - 1) % n;
-        const double       begin = x(left) - (after == 0 ? period : 0.);
-        const double       end   = x(right) + (after == n ? period : 0.);
-        places.push_back({left, right, (parameter[0] - begin) / (end - begin)});
+        const double       begin  = x(left) - (after == 0 ? period : 0.);
+        const double       end    = x(right) + (after == n ? period : 0.);
+        const double       weight = (parameter[0] - begin) / (end - begin);
+        places.push_back({{{left, right}}, {{1. - weight, weight}}});
       }
   }
 
 
 
-  SurfaceLayer::Point
-  SurfaceLayer::at_top(const std::vector<MaterialState> &history,
-                       const Column                     &column) const
+  template <>
+  SurfaceLayer<3>::SurfaceLayer(const BasisTable<3> &body,
+                                const BasisTable<3> &edge,
+                                const double)
+    : columns(columns_under(body, edge))
+  {
+    for (const Column &column : columns)
+      area.push_back(body.JxW[column.top]);
+    const unsigned int                   n = points_a_direction(body);
+    std::map<unsigned int, unsigned int> first_column; // of a cell
+    for (const auto &element : body.elements)
+      first_column[element.cell] = element.first_point;
+    std::map<unsigned int, unsigned int> column_of; // an uppermost point
+    for (unsigned int i = 0; i < columns.size(); ++i)
+      column_of[columns[i].top] = i;
+
+    for (const auto &element : edge.elements)
+      {
+        const unsigned int first =
+          column_of.at(first_column.at(element.cell) + n * n * (n - 1));
+        // Two neighbours of n in a direction, and the weight of the second.
+        const auto between = [&](const double value, const unsigned int d) {
+          const unsigned int stride = d == 0 ? 1 : n;
+          const auto         x      = [&](const unsigned int i) {
+            return body.parameter[columns[first + i * stride].top][d];
+          };
+          unsigned int i = 0;
+          while (i + 2 < n && value > x(i + 1))
+            ++i;
+          return std::pair<unsigned int, double>(i,
+                                                 (value - x(i)) /
+                                                   (x(i + 1) - x(i)));
+        };
+        for (unsigned int q = 0; q < edge.points_per_element; ++q)
+          {
+            const auto &at            = edge.parameter[element.first_point + q];
+            const auto [i, wx]        = between(at[0], 0);
+            const auto [j, wy]        = between(at[1], 1);
+            const unsigned int corner = first + j * n + i;
+            places.push_back(
+              {{{corner, corner + 1, corner + n, corner + n + 1}},
+               {{(1. - wx) * (1. - wy),
+                 wx * (1. - wy),
+                 (1. - wx) * wy,
+                 wx * wy}}});
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  typename SurfaceLayer<dim>::Point
+  SurfaceLayer<dim>::at_top(const std::vector<MaterialState> &history,
+                            const Column                     &column) const
   {
     const MaterialState &a = history[column.top], &b = history[column.below];
     const double         w = column.beyond;
@@ -81,25 +152,32 @@ namespace asperity
 
 
 
-  std::vector<SurfaceLayer::Point>
-  SurfaceLayer::at_edge(const std::vector<MaterialState> &history) const
+  template <int dim>
+  std::vector<typename SurfaceLayer<dim>::Point>
+  SurfaceLayer<dim>::at_edge(const std::vector<MaterialState> &history) const
   {
     std::vector<Point> points;
     for (const Place &place : places)
       {
-        const Point a  = at_top(history, columns[place.left]),
-                    b  = at_top(history, columns[place.right]);
-        const double w = place.weight;
-        points.push_back({(1. - w) * a.plastic_strain + w * b.plastic_strain,
-                          (1. - w) * a.temperature + w * b.temperature});
+        Point sum{0., 0.};
+        for (unsigned int i = 0; i < place.column.size(); ++i)
+          {
+            const Point a = at_top(history, columns[place.column[i]]);
+            sum.plastic_strain += place.weight[i] * a.plastic_strain;
+            sum.temperature += place.weight[i] * a.temperature;
+          }
+        // Beyond the outermost material points of a cell weights are negative.
+        sum.plastic_strain = std::max(sum.plastic_strain, 0.);
+        points.push_back(sum);
       }
     return points;
   }
 
 
 
+  template <int dim>
   double
-  SurfaceLayer::mean_temperature(
+  SurfaceLayer<dim>::mean_temperature(
     const std::vector<MaterialState> &history) const
   {
     double sum = 0., total = 0.;
@@ -110,4 +188,9 @@ namespace asperity
       }
     return sum / total;
   }
+
+
+
+  template class SurfaceLayer<2>;
+  template class SurfaceLayer<3>;
 } // namespace asperity

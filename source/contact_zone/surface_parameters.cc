@@ -36,6 +36,15 @@ namespace asperity
                     "1",
                     Range::between(1., 2000.),
                     "Harmonics: the numbers k of waves in a period.");
+    parameters.list(
+      "Wave numbers across",
+      across,
+      "1",
+      Range::between(-2000., 2000.),
+      "Harmonics of a patch (Geometry/Dimension = 3): the numbers "
+      "j of waves across the motion, one for each wave number; "
+      "the surface is the sum of a_k cos(2 pi (k x/L + j y/W) + "
+      "phi_k). Empty: all 0, ridges across the motion.");
     parameters.list("Amplitudes",
                     amplitudes,
                     "um",
@@ -93,12 +102,19 @@ namespace asperity
     };
     same_length(amplitudes, "Amplitudes");
     same_length(phases, "Phases");
-    for (const double k : wave_numbers)
-      if (k != std::floor(k))
-        throw InputError(parameters.where(section + "/Wave numbers") +
-                         ": found " + format_number(k) +
-                         "; expected whole numbers, so that the surface is "
-                         "periodic.");
+    if (!across.empty())
+      same_length(across, "Wave numbers across");
+    const auto whole = [&](const std::vector<double> &list,
+                           const std::string         &key) {
+      for (const double k : list)
+        if (k != std::floor(k))
+          throw InputError(parameters.where(section + "/" + key) + ": found " +
+                           format_number(k) +
+                           "; expected whole numbers, so that the surface is "
+                           "periodic.");
+    };
+    whole(wave_numbers, "Wave numbers");
+    whole(across, "Wave numbers across");
     if (n_spans_of_harmonics() < spans_per_wave * highest_wave_number())
       throw InputError(parameters.where(section + "/Spline spans") +
                        ": found " + std::to_string(n_spans_of_harmonics()) +

@@ -98,6 +98,9 @@ namespace asperity
          [](const SceneParameters &p) {
            return p.tool.kind != SurfaceKind::measured;
          }},
+        {{"Geometry/Width", "Mesh/Spans across"},
+         "Geometry/Dimension = 3",
+         [](const SceneParameters &p) { return p.geometry.dimension == 3; }},
         {{"Mesh/Strip depth"},
          "Refinement levels",
          [](const SceneParameters &p) { return p.mesh.refinement > 0; }},

@@ -48,11 +48,11 @@ namespace asperity
       double mean;
     };
 
-    ChipOutput
+    ChipOutput<2>
     make_body_output(const FluidStructureRun &run, const unsigned int n)
     {
       const FluidStructure &system = *run.problem().system;
-      return ChipOutput(
+      return ChipOutput<2>(
         *system.body().space,
         system.body().geometry,
         n,

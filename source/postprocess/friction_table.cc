@@ -27,8 +27,15 @@ namespace asperity
        ""},
       {"T_y",
        line_load,
-       "Force on the chip along y, of contact and oil; negative presses.",
+       "Force on the chip along y (in three dimensions z, to the tool), of "
+       "contact and oil; negative presses.",
        &Row::T_y,
+       ""},
+      {"T_transverse",
+       line_load,
+       "Force on the chip across its motion (y in three dimensions), per metre "
+       "of its width as T_x and T_y.",
+       &Row::T_transverse,
        ""},
       {"mu",
        number,

@@ -34,7 +34,7 @@ namespace asperity
       throw ComputationError("A line of " + std::to_string(n) +
                              " points cannot be drawn; at least two are "
                              "expected.");
-    internal::PatchRows rows;
+    internal::PatchRows<2> rows;
     for (const auto &[name, values] : line.vectors)
       {
         check_size(name, values, n);

@@ -16,10 +16,11 @@ namespace asperity
   namespace internal
   {
     /**
-     * The rows of a deal.II patch and their names: fields first, vectors as two
-     * rows, at the end the two coordinates (which deal.II reads as such if
-     * points_are_available).
+     * The rows of a deal.II patch and their names: fields first, vectors as a
+     * row for each component, at the end the coordinates (which deal.II reads
+     * as such if points_are_available).
      */
+    template <int spacedim>
     class PatchRows
     {
     public:
@@ -35,12 +36,12 @@ namespace asperity
       {
         using namespace dealii::DataComponentInterpretation;
         ranges.emplace_back(names.size(),
-                            names.size() + 1,
+                            names.size() + spacedim - 1,
                             name,
                             component_is_part_of_vector);
-        for (unsigned int c = 0; c < 2; ++c)
+        for (unsigned int c = 0; c < spacedim; ++c)
           {
-            names.push_back(name + " " + "xy"[c]);
+            names.push_back(name + " " + "xyz"[c]);
             row_fields.push_back(name);
           }
       }
@@ -53,15 +54,15 @@ namespace asperity
 
       /** A patch for these rows with n_points values each. */
       template <int dim>
-      dealii::DataOutBase::Patch<dim, 2>
+      dealii::DataOutBase::Patch<dim, spacedim>
       make_patch(const unsigned int n_subdivisions,
                  const unsigned int n_points) const
       {
-        dealii::DataOutBase::Patch<dim, 2> patch;
+        dealii::DataOutBase::Patch<dim, spacedim> patch;
         patch.n_subdivisions       = n_subdivisions;
         patch.points_are_available = true;
         patch.reference_cell = dealii::ReferenceCells::get_hypercube<dim>();
-        patch.data.reinit(n_fields() + 2, n_points);
+        patch.data.reinit(n_fields() + spacedim, n_points);
         return patch;
       }
 
@@ -69,7 +70,8 @@ namespace asperity
        */
       template <int dim>
       void
-      require_finite(const dealii::DataOutBase::Patch<dim, 2> &patch) const
+      require_finite(
+        const dealii::DataOutBase::Patch<dim, spacedim> &patch) const
       {
         for (unsigned int row = 0; row < patch.data.n_rows(); ++row)
           for (unsigned int i = 0; i < patch.data.n_cols(); ++i)
@@ -84,10 +86,11 @@ namespace asperity
 
       template <int dim>
       void
-      write(const std::vector<dealii::DataOutBase::Patch<dim, 2>> &patches,
-            const double                                           time,
-            const unsigned int                                     step,
-            std::ostream                                          &out) const
+      write(
+        const std::vector<dealii::DataOutBase::Patch<dim, spacedim>> &patches,
+        const double                                                  time,
+        const unsigned int                                            step,
+        std::ostream                                                 &out) const
       {
         for (const auto &patch : patches)
           require_finite(patch);

@@ -1,6 +1,8 @@
 #include <asperity/base/errors.h>
 #include <asperity/splines/collocation.h>
 
+#include <deal.II/base/quadrature_lib.h>
+
 #include <cmath>
 #include <string>
 
@@ -40,6 +42,52 @@ namespace asperity
             rows[i].target -= rows[i].values[j] * period;
       }
     return rows;
+  }
+
+
+
+  std::vector<CollocationRow>
+  bending_rows(const KnotVector    &knots,
+               const double         bending,
+               const Tensor<1, 2>  &period,
+               std::vector<double> &weights)
+  {
+    std::vector<CollocationRow> rows;
+    const dealii::QGauss<1>     quadrature(knots.degree());
+    for (unsigned int span = 0; span < knots.n_spans(); ++span)
+      for (unsigned int q = 0; q < quadrature.size(); ++q)
+        {
+          const double   begin = knots.breakpoints()[span];
+          const double   width = knots.breakpoints()[span + 1] - begin;
+          CollocationRow row;
+          row.functions = knots.span_functions(span);
+          row.values =
+            knots.evaluate(span, begin + quadrature.point(q)[0] * width, 2)[2];
+          if (knots.is_periodic())
+            for (unsigned int j = 0; j <= knots.degree(); ++j)
+              if (span + j >= knots.n_basis())
+                row.target -= row.values[j] * period;
+          rows.push_back(row);
+          weights.push_back(bending * width * quadrature.weight(q));
+        }
+    return rows;
+  }
+
+
+
+  BandedSolver
+  normal_equations(const KnotVector                  &knots,
+                   const std::vector<CollocationRow> &rows,
+                   const std::vector<double>         &weights)
+  {
+    BandedSolver matrix(knots.n_basis(), knots.degree(), knots.is_periodic());
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      for (unsigned int a = 0; a < rows[i].functions.size(); ++a)
+        for (unsigned int b = 0; b < rows[i].functions.size(); ++b)
+          matrix.add(rows[i].functions[a],
+                     rows[i].functions[b],
+                     weights[i] * rows[i].values[a] * rows[i].values[b]);
+    return matrix;
   }
 
 

@@ -69,6 +69,23 @@ namespace asperity
 
 
   KnotVector
+  KnotVector::uniform_periodic(const unsigned int degree,
+                               const unsigned int n_spans,
+                               const double       begin,
+                               const double       period)
+  {
+    if (!(period > 0.) || !std::isfinite(period))
+      throw InputError("The period of a profile is " + std::to_string(period) +
+                       " m, but a positive length is expected.");
+    std::vector<double> breakpoints(n_spans + 1);
+    for (unsigned int i = 0; i <= n_spans; ++i)
+      breakpoints[i] = begin + period * i / std::max(1u, n_spans);
+    return KnotVector(degree, breakpoints, true);
+  }
+
+
+
+  KnotVector
   KnotVector::from_knots(const unsigned int         degree,
                          const std::vector<double> &knots)
   {

@@ -2,7 +2,6 @@
 #include <asperity/splines/spline_fit.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace asperity
 {
@@ -11,23 +10,6 @@ namespace asperity
 
   namespace
   {
-    KnotVector
-    uniform_periodic_knots(const double       begin,
-                           const double       period,
-                           const unsigned int n_spans,
-                           const unsigned int degree)
-    {
-      if (!(period > 0.) || !std::isfinite(period))
-        throw InputError("The period of a profile is " +
-                         std::to_string(period) +
-                         " m, but a positive length is expected.");
-      std::vector<double> breakpoints(n_spans + 1);
-      for (unsigned int i = 0; i <= n_spans; ++i)
-        breakpoints[i] = begin + period * i / std::max(1u, n_spans);
-      return KnotVector(degree, breakpoints, true);
-    }
-
-
     /** x(t) = t, which a fitted graph holds up to round-off. */
     SplineCurve
     exact_graph(const SplineCurve &curve)
@@ -68,8 +50,8 @@ namespace asperity
       throw InputError("A profile has " + std::to_string(x.size()) +
                        " positions and " + std::to_string(y.size()) +
                        " heights, but as many of each are expected.");
-    const KnotVector knots = uniform_periodic_knots(
-      *std::min_element(x.begin(), x.end()), period, n_spans, degree);
+    const KnotVector knots = KnotVector::uniform_periodic(
+      degree, n_spans, *std::min_element(x.begin(), x.end()), period);
     std::vector<Point<2>> points;
     for (unsigned int i = 0; i < x.size(); ++i)
       points.emplace_back(x[i], y[i]);
@@ -93,7 +75,7 @@ namespace asperity
                                 const unsigned int                   degree)
   {
     const KnotVector knots =
-      uniform_periodic_knots(x_begin, period, n_spans, degree);
+      KnotVector::uniform_periodic(degree, n_spans, x_begin, period);
     const std::vector<double> x = knots.greville();
     std::vector<double>       heights;
     for (const double position : x)
@@ -119,8 +101,7 @@ namespace asperity
     std::vector<double> x(n);
     for (std::size_t i = 0; i < n; ++i)
       x[i] = period * i / n;
-    return interpolate_graph(uniform_periodic_knots(0., period, n, degree),
-                             x,
-                             heights);
+    return interpolate_graph(
+      KnotVector::uniform_periodic(degree, n, 0., period), x, heights);
   }
 } // namespace asperity

@@ -3,8 +3,6 @@
 #include <asperity/splines/collocation.h>
 #include <asperity/splines/spline_fit.h>
 
-#include <deal.II/base/quadrature_lib.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -44,37 +42,6 @@ namespace asperity
       for (double &weight : weights)
         weight /= sum;
       return weights;
-    }
-
-
-
-    /** Second derivatives of the basis at Gauss points, so that the bending
-     * term is a sum of squares as the data are. */
-    std::vector<Row>
-    bending_rows(const KnotVector    &knots,
-                 const FitOptions    &options,
-                 std::vector<double> &weights)
-    {
-      std::vector<Row>        rows;
-      const dealii::QGauss<1> quadrature(knots.degree());
-      for (unsigned int span = 0; span < knots.n_spans(); ++span)
-        for (unsigned int q = 0; q < quadrature.size(); ++q)
-          {
-            const double begin = knots.breakpoints()[span];
-            const double width = knots.breakpoints()[span + 1] - begin;
-            Row          row;
-            row.functions = knots.span_functions(span);
-            row.values    = knots.evaluate(span,
-                                        begin + quadrature.point(q)[0] * width,
-                                        2)[2];
-            if (knots.is_periodic())
-              for (unsigned int j = 0; j <= knots.degree(); ++j)
-                if (span + j >= knots.n_basis())
-                  row.target -= row.values[j] * options.period;
-            rows.push_back(row);
-            weights.push_back(options.bending * width * quadrature.weight(q));
-          }
-      return rows;
     }
 
 
@@ -212,7 +179,7 @@ namespace asperity
      * @param ends fixed first and last control point, or null pointers
      */
     std::vector<Point<2>>
-    solve_least_squares(const BandedSolver        &normal_equations,
+    solve_least_squares(const BandedSolver        &matrix,
                         const std::vector<Row>    &rows,
                         const std::vector<double> &weights,
                         const unsigned int         n,
@@ -239,7 +206,7 @@ namespace asperity
               if (ends[1] != nullptr)
                 right_hand_sides[d][n - 1] =
                   (*ends[1])[d] - control_points[n - 1][d];
-              normal_equations.solve(right_hand_sides[d]);
+              matrix.solve(right_hand_sides[d]);
               for (unsigned int i = 0; i < n; ++i)
                 control_points[i][d] += right_hand_sides[d][i];
             }
@@ -264,31 +231,25 @@ namespace asperity
     const std::vector<Row> data = rows;
     if (options.bending > 0.)
       {
-        const auto bending = bending_rows(knot_vector, options, weights);
+        const auto bending =
+          bending_rows(knot_vector, options.bending, options.period, weights);
         rows.insert(rows.end(), bending.begin(), bending.end());
       }
 
-    BandedSolver normal_equations(n, knot_vector.degree(), periodic);
-    for (unsigned int i = 0; i < rows.size(); ++i)
-      for (unsigned int a = 0; a < rows[i].functions.size(); ++a)
-        for (unsigned int b = 0; b < rows[i].functions.size(); ++b)
-          normal_equations.add(rows[i].functions[a],
-                               rows[i].functions[b],
-                               weights[i] * rows[i].values[a] *
-                                 rows[i].values[b]);
-    const bool fix_ends = options.interpolate_ends && !periodic;
+    BandedSolver matrix   = normal_equations(knot_vector, rows, weights);
+    const bool   fix_ends = options.interpolate_ends && !periodic;
     if (fix_ends)
       {
-        normal_equations.set_identity_row(0);
-        normal_equations.set_identity_row(n - 1);
+        matrix.set_identity_row(0);
+        matrix.set_identity_row(n - 1);
       }
-    if (!normal_equations.factorize())
+    if (!matrix.factorize())
       refuse_singular("take fewer spans or a bending term");
 
     const Point<2> *ends[2] = {fix_ends ? &points.front() : nullptr,
                                fix_ends ? &points.back() : nullptr};
     const std::vector<Point<2>> control_points =
-      solve_least_squares(normal_equations, rows, weights, n, ends);
+      solve_least_squares(matrix, rows, weights, n, ends);
     return {SplineCurve(knot_vector, control_points, {}, options.period),
             make_report(data, control_points)};
   }

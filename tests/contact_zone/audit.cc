@@ -35,7 +35,7 @@ namespace
 TEST(SceneAudit, numbers_follow_their_definitions)
 {
   const SceneParameters parameters = coarse_scene();
-  const Scene           scene(parameters);
+  const Scene<2>           scene(parameters);
   const SceneAudit      audit = audit_scene(parameters, scene);
   const double E = scene.law->young_modulus(), nu = scene.law->poisson_ratio(),
                rho = scene.law->density();
@@ -80,7 +80,7 @@ TEST(SceneAudit, numbers_follow_their_definitions)
 TEST(SceneAudit, heat_spreads_as_conductivity_and_heat_capacity_of_the_chip_say)
 {
   SceneParameters parameters = coarse_scene();
-  const Scene     scene(parameters);
+  const Scene<2>     scene(parameters);
   const double    length = number(audit_scene(parameters, scene),
                                "heat length over peak-to-valley height");
   parameters.material.heating.heat_capacity *= 4.;
@@ -100,7 +100,7 @@ TEST(SceneAudit, flat_bodies_have_no_asperities_to_complain_of)
   SceneParameters parameters   = coarse_scene();
   parameters.tool.kind         = SurfaceKind::flat;
   parameters.lubrication.model = LubricantModel::automatic;
-  const Scene      scene(parameters);
+  const Scene<2>      scene(parameters);
   const SceneAudit audit = audit_scene(parameters, scene);
   EXPECT_TRUE(audit.warnings.empty()) << audit.warnings.front();
   // No asperity drives a flow.
@@ -112,7 +112,7 @@ TEST(SceneAudit, flat_bodies_have_no_asperities_to_complain_of)
 TEST(SceneAudit, tells_what_is_left_out_where_the_interface_bears_shear)
 {
   SceneParameters parameters = coarse_scene();
-  const Scene     scene(parameters);
+  const Scene<2>     scene(parameters);
   const auto      warned = [&](const std::string &what) {
     return warns(audit_scene(parameters, scene), what);
   };
@@ -138,7 +138,7 @@ TEST(SceneAudit, warns_of_waves_and_steps_that_are_too_coarse)
   parameters.protocol.slide_steps     = 1;
   parameters.load.velocity            = 100.;
   parameters.protocol.window_fraction = 0.1;
-  SceneAudit audit = audit_scene(parameters, Scene(parameters));
+  SceneAudit audit = audit_scene(parameters, Scene<2>(parameters));
   // 40/16
   EXPECT_TRUE(warns(audit, "number 16 of a period, has 2.5 elements"));
   EXPECT_TRUE(warns(audit, "slides over the steepest asperity in"));
@@ -151,12 +151,12 @@ TEST(SceneAudit, warns_of_waves_and_steps_that_are_too_coarse)
   parameters.chip.phases       = {1., 2., 3.};
   parameters.mesh.spans        = 160;
   const std::string missed     = "height of the chip that its mesh misses";
-  audit                        = audit_scene(parameters, Scene(parameters));
+  audit                        = audit_scene(parameters, Scene<2>(parameters));
   EXPECT_LT(number(audit, missed), 0.01);
   EXPECT_FALSE(warns(audit, "misses the chip's surface"));
   // Beyond what 160 spans can follow: the whole wave is missed somewhere.
   parameters.chip.wave_numbers = {2., 3., 110.};
-  audit                        = audit_scene(parameters, Scene(parameters));
+  audit                        = audit_scene(parameters, Scene<2>(parameters));
   EXPECT_GT(number(audit, missed), 0.1);
   EXPECT_TRUE(warns(audit, "misses the chip's surface"));
 }
@@ -164,7 +164,7 @@ TEST(SceneAudit, warns_of_waves_and_steps_that_are_too_coarse)
 TEST(SceneAudit, warns_of_a_way_that_is_none)
 {
   SceneParameters parameters = coarse_scene();
-  const Scene     scene(parameters);
+  const Scene<2>     scene(parameters);
   const double    length = number(audit_scene(parameters, scene),
                                "time steps across the steepest asperity") *
                         parameters.load.velocity *
@@ -182,16 +182,16 @@ TEST(SceneAudit, warns_of_a_chip_that_is_a_thin_sheet)
   SceneParameters parameters = coarse_scene();
   // Asperities of 0.682/0.75 um times 20
   parameters.geometry.length = 200e-6;
-  const SceneAudit audit     = audit_scene(parameters, Scene(parameters));
+  const SceneAudit audit     = audit_scene(parameters, Scene<2>(parameters));
   EXPECT_NEAR(number(audit, "chip height over the length of an asperity"),
               5. / 18.19,
               0.01);
   EXPECT_TRUE(warns(audit, "times as high as its asperities are long"));
   parameters.geometry.length = 20e-6;
-  EXPECT_TRUE(warns(audit_scene(parameters, Scene(parameters)),
+  EXPECT_TRUE(warns(audit_scene(parameters, Scene<2>(parameters)),
                     "2.8 times as high as its asperities are long"));
   parameters.geometry.length = 10e-6;
-  EXPECT_FALSE(warns(audit_scene(parameters, Scene(parameters)),
+  EXPECT_FALSE(warns(audit_scene(parameters, Scene<2>(parameters)),
                      "times as high as its asperities are long"));
 }
 
@@ -199,7 +199,7 @@ TEST(SceneAudit, a_ramp_shorter_than_ten_transits_needs_inertia)
 {
   SceneParameters parameters   = coarse_scene();
   parameters.protocol.end_time = 5e-8;
-  const Scene      scene(parameters);
+  const Scene<2>      scene(parameters);
   const SceneAudit audit = audit_scene(parameters, scene);
   EXPECT_LT(number(audit, "wave transits of the chip during the load ramp"),
             10.);
@@ -211,7 +211,7 @@ TEST(SceneAudit, steady_window_slides_as_far_as_it_may)
   SceneParameters parameters           = coarse_scene();
   parameters.protocol.window           = FrictionWindow::steady;
   parameters.protocol.maximum_distance = 12e-6;
-  const Scene scene(parameters);
+  const Scene<2> scene(parameters);
   EXPECT_NEAR(number(audit_scene(parameters, scene),
                      "sliding distance over the period"),
               1.2,
@@ -222,7 +222,7 @@ TEST(SceneAudit, warns_of_what_spoils_the_result)
 {
   SceneParameters parameters = coarse_scene();
   parameters.mesh.spans      = 80;
-  const Scene good(parameters);
+  const Scene<2> good(parameters);
   EXPECT_TRUE(audit_scene(parameters, good).warnings.empty());
 
   parameters.geometry.height        = 1.5e-6;
@@ -230,7 +230,7 @@ TEST(SceneAudit, warns_of_what_spoils_the_result)
   parameters.contact.penalty_factor = 1e-3;
   for (double &a : parameters.tool.amplitudes)
     a *= 3.;
-  const Scene      poor(parameters);
+  const Scene<2>      poor(parameters);
   const SceneAudit audit = audit_scene(parameters, poor);
   for (const std::string words : {"steeper than 1.5",
                                   "penalty is soft",
@@ -248,7 +248,7 @@ TEST(SceneAudit, passes_on_what_the_reader_of_a_surface_complains_of)
     ASPERITY_SOURCE_DIR "/parameter_files/surfaces/polished_tool.x3p";
   topography.length = 20e-6;
   topography.start  = 3e-6;
-  Scene      scene(parameters);
+  Scene<2>      scene(parameters);
   auto      &report = *scene.tool_surface.topography;
   const auto before = audit_scene(parameters, scene).warnings.size();
   report.sanity.warnings.push_back("The unit is a guess.");
@@ -265,7 +265,7 @@ TEST(SceneAudit, warns_of_hills_as_ridges_and_of_waves_that_are_filtered_out)
   topography.file =
     ASPERITY_SOURCE_DIR "/parameter_files/surfaces/polished_tool.x3p";
   topography.length = 20e-6;
-  Scene scene(parameters);
+  Scene<2> scene(parameters);
   auto &map = scene.tool_surface.topography->map;
   // sin(x) + hills * sin(y): slopes along and across are as hills to 1
   const auto waves = [&map](const double hills) {
@@ -298,7 +298,7 @@ TEST(SceneAudit, chooses_the_lubricant_model_by_the_flow)
   parameters.lubrication.model = LubricantModel::automatic;
   // 12 eta v l/(h^2 p) with the void of R0, 0.335 um, and asperities of 0.9 um
   parameters.load.velocity = 22.5 / 60.;
-  const Scene scene(parameters);
+  const Scene<2> scene(parameters);
   SceneAudit  audit = audit_scene(parameters, scene);
   EXPECT_EQ(audit.lubricant, LubricantModel::pocket);
   const double h = 0.335e-6, l = 0.682e-6 / 0.75;
@@ -317,17 +317,17 @@ TEST(SceneAudit, chooses_the_lubricant_model_by_the_flow)
               0.02 * squeeze);
 
   parameters.lubrication.wetting = 0.6;
-  audit                          = audit_scene(parameters, Scene(parameters));
+  audit                          = audit_scene(parameters, Scene<2>(parameters));
   EXPECT_EQ(audit.lubricant, LubricantModel::reynolds);
   parameters.lubrication.oil.viscosity.viscosity = 0.032 * 0.9e-3 / squeeze;
-  audit = audit_scene(parameters, Scene(parameters));
+  audit = audit_scene(parameters, Scene<2>(parameters));
   EXPECT_EQ(audit.lubricant, LubricantModel::pocket);
   parameters.lubrication.oil.viscosity.viscosity = 0.032;
   parameters.lubrication.wetting                 = 1.;
   parameters.load.velocity                       = 200.;
-  audit = audit_scene(parameters, Scene(parameters));
+  audit = audit_scene(parameters, Scene<2>(parameters));
   EXPECT_EQ(audit.lubricant, LubricantModel::reynolds);
   parameters.lubrication.wetting = 0.;
-  audit                          = audit_scene(parameters, Scene(parameters));
+  audit                          = audit_scene(parameters, Scene<2>(parameters));
   EXPECT_EQ(audit.lubricant, LubricantModel::none);
 }

@@ -17,14 +17,14 @@ TEST(GapFlow, carries_load_and_inertia)
   const double          alpha_m    = (2. * rho - 1.) / (rho + 1.),
                alpha_f             = rho / (rho + 1.);
 
-  Scene      scene(parameters);
-  SlidingRun run(parameters, scene);
+  Scene<2>      scene(parameters);
+  SlidingRun<2> run(parameters, scene);
   const auto mass = scene.equilibrium->make_matrix();
   scene.chip->assemble_mass(*mass);
   const dealii::Vector<double> lift = scene.translation(0., 1.);
   dealii::Vector<double>       inertia(lift.size());
   double                       old_inertia = 0., old_force = 0., n_steps = 0.;
-  run.run([&](const SlidingRun &now) {
+  run.run([&](const SlidingRun<2> &now) {
     const FrictionRow &row = now.state().rows.back();
     mass->vmult(inertia, now.solid_step().state().a);
     const double new_inertia = lift * inertia;
@@ -75,7 +75,7 @@ namespace
    *  integral of h^-n over the period, the flow is q = U I_2/(2 I_3) and the
    *  shear stress on the sliding wall -4 eta U/h + 6 eta q/h^2. */
   double
-  shear_of_slider(const Scene           &scene,
+  shear_of_slider(const Scene<2>           &scene,
                   const SceneParameters &parameters,
                   const double           eta)
   {
@@ -117,13 +117,13 @@ TEST(GapFlow, is_as_warm_as_the_mean_of_its_walls)
   law.law                          = TemperatureLaw::vogel;
   parameters.load.temperature      = law.reference;
 
-  Scene      scene(parameters);
-  SlidingRun run(parameters, scene);
+  Scene<2>      scene(parameters);
+  SlidingRun<2> run(parameters, scene);
   auto       hot = scene.chip->history();
   for (MaterialState &point : hot)
     point.temperature += 100.;
   scene.chip->set_history(hot);
-  run.run([](const SlidingRun &) {});
+  run.run([](const SlidingRun<2> &) {});
   const double expected =
     shear_of_slider(scene,
                     parameters,
@@ -230,9 +230,9 @@ TEST(GapFlow, compressible_oil_allows_dirichlet_neumann_coupling)
        {CouplingScheme::robin_neumann, CouplingScheme::dirichlet_neumann})
     {
       parameters.lubrication.coupling.scheme = scheme;
-      Scene      scene(parameters);
-      SlidingRun run(parameters, scene);
-      EXPECT_THROW(run.run([](const SlidingRun &now) {
+      Scene<2>      scene(parameters);
+      SlidingRun<2> run(parameters, scene);
+      EXPECT_THROW(run.run([](const SlidingRun<2> &now) {
         if (now.state().step == 4)
           throw Enough();
       }),
@@ -275,6 +275,6 @@ TEST(GapFlow, makes_the_chip_dynamic)
 {
   SceneParameters parameters  = flooded_scene();
   parameters.protocol.inertia = Inertia::automatic;
-  const Scene scene(parameters);
+  const Scene<2> scene(parameters);
   EXPECT_EQ(audit_scene(parameters, scene).inertia, Inertia::dynamic);
 }

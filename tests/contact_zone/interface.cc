@@ -164,14 +164,14 @@ TEST(InterfaceOfScene, hot_chip_that_touches_everywhere_slides_at_m_k)
   parameters.interface.shear_factor = 0.5;
   for (double &amplitude : parameters.tool.amplitudes)
     amplitude *= 0.5;
-  Scene      scene(parameters);
-  SlidingRun run(parameters, scene);
+  Scene<2>      scene(parameters);
+  SlidingRun<2> run(parameters, scene);
   const auto strength = [&]() {
     return scene.shear_strength(parameters.load.velocity /
                                 parameters.interface.shear_layer);
   };
   std::vector<double> k = strength(), next = k;
-  run.run([&](const SlidingRun &) {
+  run.run([&](const SlidingRun<2> &) {
     k    = next;
     next = strength();
   });

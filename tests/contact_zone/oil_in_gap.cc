@@ -36,7 +36,7 @@ namespace
   double
   oil_volume(const SceneParameters &parameters)
   {
-    return Scene(parameters).lubricant->state().reference_volume;
+    return Scene<2>(parameters).lubricant->state().reference_volume;
   }
 } // namespace
 
@@ -74,7 +74,7 @@ TEST(OilInGap, pockets_share_a_film_as_they_share_the_void)
     wave_scene(LubricantModel::pocket, OilAmount::film_thickness, 0.);
   parameters.tool.wave_numbers       = {2.};
   parameters.lubrication.sealing_gap = 10e-9;
-  const Scene scene(parameters);
+  const Scene<2> scene(parameters);
   EXPECT_EQ(scene.lubricant->state().n_pockets, 2u);
   EXPECT_NEAR(scene.lubricant->state().reference_volume,
               60e-9 * L,
@@ -88,7 +88,7 @@ TEST(OilInGap, a_film_needs_a_pocket_that_takes_it)
   parameters.lubrication.sealing_gap = 1e-6;
   try
     {
-      Scene scene(parameters);
+      Scene<2> scene(parameters);
       FAIL();
     }
   catch (const InputError &error)
@@ -108,7 +108,7 @@ TEST(OilInGap, more_oil_than_void_raises_the_gap_and_says_so)
       SceneParameters parameters =
         wave_scene(model, OilAmount::film_thickness, 0.02e-6);
       parameters.lubrication.film = 0.3e-6;
-      const Scene scene(parameters);
+      const Scene<2> scene(parameters);
       EXPECT_NEAR(scene.oil.initial_gap, 0.1e-6, 1e-12);
       EXPECT_EQ(scene.oil.part_at_start, 1.);
       EXPECT_NEAR(scene.lubricant->state().reference_volume,

@@ -137,15 +137,15 @@ TEST(OpenGap, starts_with_the_initial_pressure)
   const double rho     = parameters.protocol.spectral_radius;
   const double alpha_m = (2. * rho - 1.) / (rho + 1.),
                alpha_f = rho / (rho + 1.);
-  Scene      scene(parameters);
-  SlidingRun run(parameters, scene);
+  Scene<2>      scene(parameters);
+  SlidingRun<2> run(parameters, scene);
   for (const double x : {0., 0.3, 0.9})
     EXPECT_NEAR(scene.lubricant->pressure(x * scene.length), 2e6, 1e-6);
   const auto mass = scene.equilibrium->make_matrix();
   scene.chip->assemble_mass(*mass);
   const dealii::Vector<double> lift = scene.translation(0., 1.);
   dealii::Vector<double>       inertia(lift.size());
-  run.run([&](const SlidingRun &now) {
+  run.run([&](const SlidingRun<2> &now) {
     const FrictionRow &row = now.state().rows.back();
     if (row.step > 1)
       return;

@@ -37,19 +37,19 @@ namespace
   {
     std::string kept;
     // The observer needs the scene of the run, so there is no CompleteRun.
-    Scene      scene(parameters);
-    SlidingRun run(parameters, scene);
-    run.run([&](const SlidingRun &now) {
+    Scene<2>      scene(parameters);
+    SlidingRun<2> run(parameters, scene);
+    run.run([&](const SlidingRun<2> &now) {
       if (now.state().step == stop)
         kept = save(now, scene);
     });
 
-    Scene      second_scene(parameters);
-    SlidingRun second(parameters, second_scene);
+    Scene<2>      second_scene(parameters);
+    SlidingRun<2> second(parameters, second_scene);
     load(kept, second, second_scene);
     EXPECT_EQ(save(second, second_scene), kept);
     EXPECT_EQ(second.state().step, stop);
-    second.run([](const SlidingRun &) {});
+    second.run([](const SlidingRun<2> &) {});
 
     ASSERT_EQ(second.state().rows.size(), run.state().rows.size());
     for (std::size_t i = 0; i < run.state().rows.size(); ++i)
@@ -208,8 +208,8 @@ TEST(Restart, refuses_the_state_of_another_mesh_and_one_that_is_cut_short)
 {
   SceneParameters parameters = coarse_scene(), finer = coarse_scene();
   finer.mesh.spans = 48;
-  Scene             scene(parameters), finer_scene(finer);
-  SlidingRun        run(parameters, scene), finer_run(finer, finer_scene);
+  Scene<2>             scene(parameters), finer_scene(finer);
+  SlidingRun<2>        run(parameters, scene), finer_run(finer, finer_scene);
   const std::string state   = save(run, scene);
   const auto        message = [](const auto &call) -> std::string {
     try

@@ -11,7 +11,7 @@ TEST(RunFamily, members_differ_in_one_thing_each)
   SceneParameters parameters           = coarse_scene();
   parameters.protocol.slide_steps      = 15;
   parameters.protocol.strain_increment = 0.1;
-  const Scene scene(parameters), coarse(with_fineness(parameters, {-1, 0, 0})),
+  const Scene<2> scene(parameters), coarse(with_fineness(parameters, {-1, 0, 0})),
     fine(with_fineness(parameters, {1, 0, 0})),
     soft(with_fineness(parameters, {0, 0, -1}));
   EXPECT_NEAR(coarse.contact_element_length(),
@@ -33,8 +33,8 @@ TEST(RunFamily, members_differ_in_one_thing_each)
   EXPECT_EQ(with_fineness(parameters, {0, 2, 0}).protocol.ramp_steps, 20u);
   // A penalty that is given stays on any mesh.
   parameters.contact.penalty = 1e16;
-  EXPECT_EQ(Scene(with_fineness(parameters, {-1, 0, 0})).penalty(), 1e16);
-  EXPECT_EQ(Scene(with_fineness(parameters, {0, 0, -1})).penalty(), 5e15);
+  EXPECT_EQ(Scene<2>(with_fineness(parameters, {-1, 0, 0})).penalty(), 1e16);
+  EXPECT_EQ(Scene<2>(with_fineness(parameters, {0, 0, -1})).penalty(), 5e15);
 }
 
 TEST(RunFamily, knows_which_meshes_there_are)
@@ -66,5 +66,5 @@ TEST(RunFamily, computes_each_run_once)
   EXPECT_EQ(family.cost(),
             200. +
               1. * family.run({}).unknowns * family.run({}).newton_iterations);
-  EXPECT_EQ(family.run({}).unknowns, Scene(parameters).n_unknowns());
+  EXPECT_EQ(family.run({}).unknowns, Scene<2>(parameters).n_unknowns());
 }

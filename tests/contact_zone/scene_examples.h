@@ -36,7 +36,7 @@ namespace asperity
   {
     explicit CompleteRun(
       const SceneParameters      &scene_parameters,
-      const SlidingRun::Observer &observer = [](const SlidingRun &) {})
+      const SlidingRun<2>::Observer &observer = [](const SlidingRun<2> &) {})
       : parameters(scene_parameters)
       , scene(parameters)
       , run(parameters, scene)
@@ -58,8 +58,8 @@ namespace asperity
     }
 
     const SceneParameters parameters;
-    Scene                 scene;
-    SlidingRun            run;
+    Scene<2>                 scene;
+    SlidingRun<2>            run;
   };
 } // namespace asperity
 

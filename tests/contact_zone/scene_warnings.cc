@@ -89,9 +89,9 @@ TEST(SceneWarnings, of_a_poisson_ratio_at_which_meshes_lock)
   SceneParameters parameters                   = coarse_scene();
   parameters.material.elasticity.poisson_ratio = 0.47;
   EXPECT_FALSE(
-    says(audit_scene(parameters, Scene(parameters)).warnings, "Poisson"));
+    says(audit_scene(parameters, Scene<2>(parameters)).warnings, "Poisson"));
   parameters.material.elasticity.poisson_ratio = 0.49;
-  EXPECT_TRUE(says(audit_scene(parameters, Scene(parameters)).warnings,
+  EXPECT_TRUE(says(audit_scene(parameters, Scene<2>(parameters)).warnings,
                    "With a Poisson's ratio of 0.49 the chip nearly keeps its "
                    "volume"));
 }
@@ -100,7 +100,7 @@ TEST(SceneWarnings, of_choices_that_the_stability_map_shows_to_fail)
 {
   SceneParameters parameters = coarse_scene();
   const auto      audit      = [&parameters]() {
-    return audit_scene(parameters, Scene(parameters)).warnings;
+    return audit_scene(parameters, Scene<2>(parameters)).warnings;
   };
   parameters.protocol.inertia = Inertia::dynamic;
   EXPECT_FALSE(says(audit(), "degree 1"));
@@ -175,7 +175,7 @@ TEST(SceneWarnings, of_a_way_on_which_the_contact_runs_in)
   // An asperity of R0 is 0.91 um long: 0.28 um is more than a quarter of it.
   SceneParameters parameters = coarse_scene();
   const auto      audit      = [&parameters]() {
-    return audit_scene(parameters, Scene(parameters)).warnings;
+    return audit_scene(parameters, Scene<2>(parameters)).warnings;
   };
   parameters.protocol.sliding_distance = 0.28e-6;
   parameters.resolve();
@@ -189,7 +189,7 @@ TEST(SceneWarnings, of_a_load_that_grows_too_long_or_too_fast)
 {
   SceneParameters parameters = coarse_scene();
   const auto      audit      = [&parameters]() {
-    return audit_scene(parameters, Scene(parameters)).warnings;
+    return audit_scene(parameters, Scene<2>(parameters)).warnings;
   };
   parameters.protocol.window_fraction = 0.5;
   parameters.protocol.ramp_fraction   = 0.45;
@@ -207,7 +207,7 @@ TEST(SceneWarnings, of_penalties_that_are_too_soft_or_too_hard)
 {
   SceneParameters parameters = coarse_scene();
   const auto      audit      = [&parameters]() {
-    return audit_scene(parameters, Scene(parameters)).warnings;
+    return audit_scene(parameters, Scene<2>(parameters)).warnings;
   };
   EXPECT_FALSE(says(audit(), "enalty"));
   parameters.contact.penalty_factor = 1.;
@@ -222,7 +222,7 @@ TEST(SceneWarnings, of_a_loose_tolerance_between_chip_and_flow)
 {
   SceneParameters parameters = flooded_scene();
   const auto      audit      = [&parameters]() {
-    return audit_scene(parameters, Scene(parameters)).warnings;
+    return audit_scene(parameters, Scene<2>(parameters)).warnings;
   };
   EXPECT_FALSE(says(audit(), "Coupling/Tolerance"));
   EXPECT_FALSE(says(audit(), "goes on ringing"));
@@ -234,7 +234,7 @@ TEST(SceneWarnings, of_a_chip_that_rings_in_long_steps)
 {
   SceneParameters parameters = coarse_scene();
   const auto      audit      = [&parameters]() {
-    return audit_scene(parameters, Scene(parameters)).warnings;
+    return audit_scene(parameters, Scene<2>(parameters)).warnings;
   };
   EXPECT_FALSE(says(audit(), "goes on ringing"));
   parameters.protocol.inertia = Inertia::dynamic;

@@ -248,12 +248,12 @@ TEST(SlidingRun, gives_up_with_the_last_good_state)
   SceneParameters parameters           = coarse_scene();
   parameters.solver.maximum_iterations = 1;
   parameters.solver.maximum_cuts       = 0;
-  Scene        scene(parameters);
-  SlidingRun   run(parameters, scene);
+  Scene<2>        scene(parameters);
+  SlidingRun<2>   run(parameters, scene);
   unsigned int n_good = 0;
   try
     {
-      run.run([&](const SlidingRun &) { ++n_good; });
+      run.run([&](const SlidingRun<2> &) { ++n_good; });
       FAIL() << "one iteration a step is not enough";
     }
   catch (const ComputationError &error)
@@ -274,11 +274,11 @@ TEST(SlidingRun, halves_steps_in_which_the_strain_grows_too_much)
   const double      limit              = 0.05;
   SceneParameters   parameters         = coarse_scene();
   parameters.protocol.strain_increment = limit;
-  Scene                      scene(parameters);
-  SlidingRun                 run(parameters, scene);
+  Scene<2>                      scene(parameters);
+  SlidingRun<2>                 run(parameters, scene);
   std::vector<MaterialState> before  = scene.chip->history();
   double                     largest = 0.;
-  run.run([&](const SlidingRun &) {
+  run.run([&](const SlidingRun<2> &) {
     const std::vector<MaterialState> &after = scene.chip->history();
     for (std::size_t q = 0; q < after.size(); ++q)
       largest =

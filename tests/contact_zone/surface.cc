@@ -102,7 +102,7 @@ TEST(Scene, tool_starts_the_initial_gap_above_the_chip)
   parameters.chip.amplitudes      = {0.03e-6, 0.03e-6, 0.02e-6};
   parameters.chip.phases          = {1., 2., 3.};
   parameters.geometry.initial_gap = 0.05e-6;
-  const Scene scene(parameters);
+  const Scene<2> scene(parameters);
   double      smallest = 1.;
   for (unsigned int i = 0; i < 20000; ++i)
     {
@@ -121,7 +121,7 @@ TEST(Scene, tool_starts_the_initial_gap_above_the_chip)
 
 TEST(Scene, bottom_load_is_the_period)
 {
-  const Scene scene(coarse_scene());
+  const Scene<2> scene(coarse_scene());
   double      sum = 0.;
   for (const double value : scene.bottom_load())
     sum += value;
@@ -231,7 +231,7 @@ TEST(Scene, chip_of_a_shorter_period_than_the_tool_is_refused)
     ASPERITY_SOURCE_DIR "/parameter_files/surfaces/polished_tool.x3p";
   try
     {
-      Scene scene(parameters);
+      Scene<2> scene(parameters);
       FAIL() << "a chip of 160 um under a tool of 200 um";
     }
   catch (const InputError &error)
@@ -253,7 +253,7 @@ TEST(Scene, measured_heights_point_out_of_the_tool)
     ASPERITY_SOURCE_DIR "/parameter_files/surfaces/blasted_tool.x3p";
   topography.s_filter = 5e-6;
   topography.length   = 40e-6;
-  const Scene   scene(parameters);
+  const Scene<2>   scene(parameters);
   const Surface measured = make_surface(parameters.tool, 1.);
   EXPECT_NEAR(scene.length, measured.period, 1e-15);
   double highest = 0.;

@@ -67,7 +67,7 @@ namespace
       value *= 2e6;
     fields.quadrature_scalars.emplace_back("equivalent plastic strain [-]",
                                            strain);
-    const ChipOutput output(space, {}, 2, 3);
+    const ChipOutput<2> output(space, {}, 2, 3);
     VtuSeries(folder, "chip").write(50, 2.5e-7, [&](std::ostream &out) {
       output.write(out, fields, 2.5e-7, 50);
     });

@@ -115,6 +115,10 @@ namespace asperity
     const std::vector<double> &
     at_points(const unsigned int k = 0) const;
 
+    /** |tau| at a point [Pa]. */
+    double
+    size_at(const unsigned int point) const;
+
     const std::vector<SlipPoint<dim>> &
     slip() const;
 

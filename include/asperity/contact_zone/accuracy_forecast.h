@@ -43,7 +43,7 @@ namespace asperity
 
   /** @throws InputError if the chip has no strength */
   ForecastNumbers
-  forecast_numbers(const SceneParameters &parameters, const Scene &scene);
+  forecast_numbers(const SceneParameters &parameters, const Scene<2> &scene);
 
   AccuracyForecast
   forecast(const ForecastNumbers &numbers, const LubricantModel lubricant);
@@ -52,7 +52,7 @@ namespace asperity
    *  the cheapest settings that keep the wanted error. Empty if a surface is
    *  flat on a flat one. */
   std::vector<std::string>
-  advise(const SceneParameters &parameters, const Scene &scene);
+  advise(const SceneParameters &parameters, const Scene<2> &scene);
 } // namespace asperity
 
 #endif

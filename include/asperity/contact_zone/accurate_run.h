@@ -13,10 +13,10 @@ namespace asperity
   /** A run with what is known of its numerical error. */
   struct AccurateRun
   {
-    std::unique_ptr<SceneRun> scene;
-    AccuracyReport            accuracy;
-    std::vector<std::string>  notes;    ///< from before it
-    std::vector<std::string>  warnings; ///< of its accuracy
+    std::unique_ptr<SceneRun<2>> scene;
+    AccuracyReport               accuracy;
+    std::vector<std::string>     notes;    ///< from before it
+    std::vector<std::string>     warnings; ///< of its accuracy
   };
 
   /** Lets coarser companions tell the error of a run that has ended. */

@@ -29,7 +29,11 @@ namespace asperity
 
   /** Reads the numbers off the parameters and the built scene. */
   SceneAudit
-  audit_scene(const SceneParameters &parameters, const Scene &scene);
+  audit_scene(const SceneParameters &parameters, const Scene<2> &scene);
+
+  /** See above. */
+  SceneAudit
+  audit_scene(const SceneParameters &parameters, const Scene<3> &scene);
 } // namespace asperity
 
 #endif

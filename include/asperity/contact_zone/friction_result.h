@@ -39,6 +39,9 @@ namespace asperity
     double T_x = 0., T_y = 0.;                 ///< means [N/m]
     double contact_fraction = 0.;              ///< mean
 
+    /** Mean force across the motion over the load; positive along y. */
+    double transverse = 0.;
+
     /** Means of the oil's part: vertical pressure [Pa], lateral forces by
      *  pressure and by shear [N/m]. */
     double oil_pressure = 0.;

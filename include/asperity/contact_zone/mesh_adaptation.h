@@ -60,7 +60,7 @@ namespace asperity
   public:
     /** The references must outlive this object. */
     MeshAdaptation(const SceneParameters &parameters,
-                   const Scene           &scene,
+                   const Scene<2>        &scene,
                    const LoadProtocol    &protocol);
 
     /**
@@ -89,7 +89,7 @@ namespace asperity
     level_beside(const std::vector<double> &points, const double halo) const;
 
     const SceneParameters &parameters;
-    const Scene           &scene;
+    const Scene<2>        &scene;
     const LoadProtocol    &protocol;
   };
 
@@ -97,7 +97,7 @@ namespace asperity
    *  the temperature of its start and a rate of 1/s [J/m].
    *  @param states of its material points */
   double
-  plastic_work(const SolidAssembler<2>             &chip,
+  plastic_work(const SolidAssembler<2>          &chip,
                const std::vector<MaterialState> &states,
                const LoadParameters             &start);
 } // namespace asperity

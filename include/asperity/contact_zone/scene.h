@@ -4,6 +4,7 @@
 #include <asperity/contact/contact_assembler.h>
 #include <asperity/contact_zone/oil_in_gap.h>
 #include <asperity/contact_zone/scene_parameters.h>
+#include <asperity/contact_zone/sheet_surface.h>
 #include <asperity/contact_zone/surface.h>
 #include <asperity/contact_zone/surface_layer.h>
 #include <asperity/coupling/gap_flow.h>
@@ -12,17 +13,27 @@
 #include <asperity/solid/solid_assembler.h>
 
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 namespace asperity
 {
   class SceneHeat;
 
+  /** The surfaces of a scene: profiles, or sheets in three dimensions. */
+  template <int dim>
+  using SurfaceOf = std::conditional_t<dim == 2, Surface, SheetSurface>;
+
   /**
    * The bodies of a contact scene: an isogeometric chip block, periodic in
-   * x, below a rigid periodic tool. Lengths in metres; y
-   * points from the chip's bottom (y = 0) to the tool.
+   * x (and in three dimensions in y), below a rigid periodic tool. Lengths in
+   * metres; the last coordinate points from the chip's bottom, where it is 0,
+   * to the tool; the chip slides along x. A profile is extruded along the
+   * direction across, and everything counts per metre of it.
+   *
+   * In three dimensions there is no oil and no conduction of heat.
    */
+  template <int dim>
   class Scene
   {
   public:
@@ -32,9 +43,9 @@ namespace asperity
 
     ~Scene();
 
-    Scene(const Scene &) = delete;
-    Scene &
-    operator=(const Scene &) = delete;
+    Scene(const Scene<2> &) = delete;
+    Scene<2> &
+    operator=(const Scene<2> &) = delete;
 
     /** Components of the chip's displacement. */
     unsigned int
@@ -78,13 +89,19 @@ namespace asperity
     const dealii::Vector<double> &
     bottom_load() const;
 
-    /** Of the x components of functions on the bottom, which are moved. */
+    /** Of the components along the bottom of its functions, which are moved. */
     const dealii::AffineConstraints<double> &
     constraints() const;
 
-    /** u = (x, y) everywhere; other unknowns zero. */
+    /** u = (x, y), in three dimensions (x, 0, z), everywhere; other unknowns
+     *  zero. */
     dealii::Vector<double>
-    translation(const double x, const double y) const;
+    translation(const double along, const double up) const;
+
+    /** Of one period of the contact edge [m^(dim - 1)]: times a pressure it is
+     *  a force. */
+    double
+    area() const;
 
     /**
      * Refines and coarsens the chip, and builds anew what stands on its mesh:
@@ -93,21 +110,22 @@ namespace asperity
      * @return whether the mesh has changed
      */
     bool
-    adapt_mesh(const SceneParameters           &parameters,
-               const SplineSpace<2>::CellLevel &wanted);
+    adapt_mesh(const SceneParameters                      &parameters,
+               const typename SplineSpace<dim>::CellLevel &wanted);
 
-    double length; ///< period L [m]
+    double length;     ///< period L along x [m]
+    double width = 1.; ///< period W along y [m]; 1 in two dimensions
 
-    Surface                            tool_surface, chip_surface;
-    OilInGap                           oil;
-    std::shared_ptr<SplineSpace<2>>    space;
-    PatchGeometry<2>                   geometry;
-    std::shared_ptr<const MaterialLaw> law;
-    std::shared_ptr<RigidObstacle<2>>     tool;
-    std::unique_ptr<SolidAssembler<2>>    chip;
-    std::unique_ptr<ContactAssembler<2>>  contact;
-    std::unique_ptr<SurfaceLayer>      surface_layer; ///< of the chip
-    std::unique_ptr<Lubricant>         lubricant;     ///< null: dry
+    SurfaceOf<dim>                         tool_surface, chip_surface;
+    OilInGap                               oil;
+    std::shared_ptr<SplineSpace<dim>>      space;
+    PatchGeometry<dim>                     geometry;
+    std::shared_ptr<const MaterialLaw>     law;
+    std::shared_ptr<RigidObstacle<dim>>    tool;
+    std::unique_ptr<SolidAssembler<dim>>   chip;
+    std::unique_ptr<ContactAssembler<dim>> contact;
+    std::unique_ptr<SurfaceLayer<dim>>     surface_layer; ///< of the chip
+    std::unique_ptr<Lubricant>             lubricant;     ///< null: dry
     GapFlow *gap_flow = nullptr;       ///< the lubricant, if it is one
     std::unique_ptr<SceneHeat>   heat; ///< null: no heat is conducted
     std::unique_ptr<Equilibrium> equilibrium;
@@ -155,6 +173,29 @@ namespace asperity
     double                            contact_element_length_ = 0.;
     unsigned int                      n_lubricant_unknowns    = 0;
   };
+
+  // What fills the gap needs profiles.
+  template <>
+  void
+  Scene<2>::build_lubricant(const SceneParameters &parameters);
+  template <>
+  void
+  Scene<3>::build_lubricant(const SceneParameters &parameters);
+  template <>
+  void
+  Scene<2>::build_surfaces(const SceneParameters &parameters);
+  template <>
+  void
+  Scene<3>::build_surfaces(const SceneParameters &parameters);
+  template <>
+  double
+  Scene<2>::gap_scale(const SceneParameters &parameters) const;
+  template <>
+  void
+  Scene<2>::build_film(const SceneParameters &parameters);
+  template <>
+  void
+  Scene<2>::build_flow(const SceneParameters &parameters);
 
   /** Levels of the rows of the coarsest mesh: heights from 0 to `height`, the
    *  topmost row about `top` high, growing downwards by `grading`; at least one

@@ -10,16 +10,18 @@ namespace asperity
 {
   /** The state of a run for Checkpoint::state: all that its next steps depend
    *  on. */
+  template <int dim>
   std::string
-  save(const SlidingRun &run, const Scene &scene);
+  save(const SlidingRun<dim> &run, const Scene<dim> &scene);
 
   /**
    * Continues from what save() wrote for a run of the same inputs.
    * @throws InputError if the bytes are damaged, or of another scene; run and
    *   scene are then useless
    */
+  template <int dim>
   void
-  load(const std::string &bytes, SlidingRun &run, Scene &scene);
+  load(const std::string &bytes, SlidingRun<dim> &run, Scene<dim> &scene);
 
   /**
    * Whether a restart may have another value of an entry than the run that it

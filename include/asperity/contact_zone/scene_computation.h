@@ -41,9 +41,10 @@ namespace asperity
   compute_scene(SceneParameters &parameters);
 
   /** Warnings of the audit and of a run that has ended. */
+  template <int dim>
   std::vector<std::string>
   warnings_of_run(const std::vector<std::string> &warnings_of_audit,
-                  const SlidingRun               &run,
+                  const SlidingRun<dim>          &run,
                   const SceneParameters          &parameters);
 } // namespace asperity
 

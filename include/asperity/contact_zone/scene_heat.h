@@ -51,10 +51,10 @@ namespace asperity
     using Vector = dealii::Vector<double>;
 
     /** The references must outlive this object. */
-    SceneHeat(const SceneParameters  &parameters,
-              const SplineSpace<2>   &space,
-              const PatchGeometry<2> &geometry,
-              const double            period,
+    SceneHeat(const SceneParameters     &parameters,
+              const SplineSpace<2>      &space,
+              const PatchGeometry<2>    &geometry,
+              const double               period,
               SolidAssembler<2>         &chip,
               const ContactAssembler<2> &contact);
 
@@ -115,14 +115,14 @@ namespace asperity
     InterfaceHeat
     interface(const std::vector<double> &friction) const;
 
-    const HeatParameters   &parameters;
-    const bool              has_oil;
-    const double            start; ///< temperature of the chip [K]
-    const ThermalProperties material;
+    const HeatParameters      &parameters;
+    const bool                 has_oil;
+    const double               start; ///< temperature of the chip [K]
+    const ThermalProperties    material;
     SolidAssembler<2>         &chip;
     const ContactAssembler<2> &contact;
-    HeatConduction          conduction;
-    ThermalContact          exchange;
+    HeatConduction             conduction;
+    ThermalContact             exchange;
 
     /** Of the interface at the end of the last step. */
     std::vector<double> chip_rise, tool_rise, to_tool;

@@ -40,6 +40,7 @@ namespace asperity
 
   /** A scene with the models that the parameters ask for or, where they say
    *  `automatic`, those of the audit; these go into the parameters. */
+  template <int dim>
   struct AuditedScene
   {
     /** @throws InputError if no scene can be made of the parameters, which
@@ -49,8 +50,8 @@ namespace asperity
     /** The scene of a file, which errors name. */
     explicit AuditedScene(SceneInput &input);
 
-    std::unique_ptr<Scene> scene;
-    SceneAudit             audit;
+    std::unique_ptr<Scene<dim>> scene;
+    SceneAudit                  audit;
   };
 } // namespace asperity
 

@@ -21,6 +21,7 @@ namespace asperity
    * The output directory of a run: friction.csv, pictures of chip, tool,
    * contact line and flow, checkpoints, and at the end summary.json.
    */
+  template <int dim>
   class SceneOutput
   {
   public:
@@ -32,18 +33,18 @@ namespace asperity
      */
     SceneOutput(const SceneParameters &parameters,
                 const InputRecord     &inputs,
-                const Scene           &scene,
+                const Scene<dim>      &scene,
                 const RunState        &state);
 
     /** Table row always; pictures and checkpoints at their intervals. */
     void
-    step(const SlidingRun &run);
+    step(const SlidingRun<dim> &run);
 
     /** The last pictures, and summary.json.
      *  @param accuracy what is known of the error of mu; nothing is shown if
      *    none is wanted */
     void
-    finish(const SlidingRun               &run,
+    finish(const SlidingRun<dim>          &run,
            const SceneAudit               &audit,
            const AccuracyReport           &accuracy,
            const std::vector<std::string> &warnings,
@@ -51,7 +52,7 @@ namespace asperity
 
     /** Writes a checkpoint now, e.g. before the run gives up. */
     void
-    write_checkpoint(const SlidingRun &run) const;
+    write_checkpoint(const SlidingRun<dim> &run) const;
 
     /** Seconds that writing has taken. */
     double
@@ -59,28 +60,49 @@ namespace asperity
 
   private:
     void
-    write_pictures(const SlidingRun &run);
+    write_pictures(const SlidingRun<dim> &run);
 
     void
-    write_chip(const SlidingRun &run);
+    write_chip(const SlidingRun<dim> &run);
 
     void
-    write_contact_line(const dealii::Vector<double> &u,
-                       const unsigned int            step,
-                       const double                  time);
+    write_tool(const unsigned int step, const double time);
 
-    const SceneParameters    &parameters;
-    const InputRecord        &inputs;
-    const Scene              &scene;
-    FrictionTable             table;
-    std::optional<ChipOutput> chip_output; ///< of the mesh below
-    std::shared_ptr<const SplineHierarchy<2>> drawn_mesh;
-    VtuSeries                                 chip, tool, contact_line;
+    /** The contact edge: a line, or a surface in three dimensions. */
+    void
+    write_contact(const dealii::Vector<double> &u,
+                  const unsigned int            step,
+                  const double                  time);
+
+    const SceneParameters         &parameters;
+    const InputRecord             &inputs;
+    const Scene<dim>              &scene;
+    FrictionTable                  table;
+    std::optional<ChipOutput<dim>> chip_output; ///< of the mesh below
+    std::shared_ptr<const SplineHierarchy<dim>> drawn_mesh;
+    VtuSeries                                   chip, tool, contact_line;
     std::unique_ptr<VtuSeries> oil; ///< of an oil that fills the gap
     CheckpointFolder           checkpoints;
     unsigned int               last_picture = 0;
     double                     seconds_     = 0.;
   };
+
+  template <>
+  void
+  SceneOutput<2>::write_tool(const unsigned int step, const double time);
+  template <>
+  void
+  SceneOutput<3>::write_tool(const unsigned int step, const double time);
+  template <>
+  void
+  SceneOutput<2>::write_contact(const dealii::Vector<double> &u,
+                                const unsigned int            step,
+                                const double                  time);
+  template <>
+  void
+  SceneOutput<3>::write_contact(const dealii::Vector<double> &u,
+                                const unsigned int            step,
+                                const double                  time);
 } // namespace asperity
 
 #endif

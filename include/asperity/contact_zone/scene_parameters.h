@@ -36,6 +36,7 @@ namespace asperity
   {
     SurfaceKind         kind = SurfaceKind::flat;
     std::vector<double> wave_numbers;
+    std::vector<double> across;     ///< waves across the motion, or none
     std::vector<double> amplitudes; ///< [m]
     std::vector<double> phases;     ///< [rad]
 
@@ -74,6 +75,11 @@ namespace asperity
 
   struct GeometryParameters
   {
+    unsigned int dimension = 2; ///< 3: a patch of the surfaces, not a profile
+
+    /** Period across, in three dimensions; automatic: as is long along x. */
+    std::optional<double> width;
+
     double length      = 10e-6;   ///< period L; measured tools bring their own
     double height      = 5e-6;    ///< H
     double initial_gap = 0.02e-6; ///< smallest vertical distance at t = 0
@@ -86,9 +92,10 @@ namespace asperity
   {
     static constexpr unsigned int most_spans = 4096, most_levels = 6;
 
-    unsigned int degree     = 2;
-    unsigned int spans      = 160;
-    unsigned int refinement = 3;
+    unsigned int                degree = 2;
+    unsigned int                spans  = 160;
+    std::optional<unsigned int> across; ///< elements across, of all levels
+    unsigned int                refinement = 3;
     double       strip      = 0.1e-6; ///< depth of the finest cells [m]
     double       grading    = 1.5;    ///< growth of rows with depth
     unsigned int quadrature = 0;      ///< Gauss points; 0: the degree
@@ -112,6 +119,11 @@ namespace asperity
     /** Gauss points in each direction of an element, at least the degree. */
     unsigned int
     n_quadrature_points() const;
+
+    /** Elements of the contact edge across the motion, a multiple of 2 to the
+     *  power of the levels: if not chosen, as long as along it or shorter. */
+    unsigned int
+    n_spans_across(const double length, const double width) const;
 
     /** Levels of refinement along the whole edge. */
     unsigned int
@@ -278,8 +290,8 @@ namespace asperity
     resolve();
 
     /** The heat model with another one for `automatic`: isothermal if the
-     *  material says so, conducting if the interface has a shear law, otherwise
-     *  adiabatic. */
+     *  material says so, conducting if the interface has a shear law (in two
+     *  dimensions), otherwise adiabatic. */
     HeatModel
     heat_model() const;
 

@@ -17,8 +17,9 @@ namespace asperity
    *  @param heat the model in use
    *  @param explain with the treatment of measured surfaces, and what the
    *  numbers of the audit say */
+  template <int dim>
   void
-  print_scene(const Scene      &scene,
+  print_scene(const Scene<dim> &scene,
               const SceneAudit &audit,
               const HeatModel   heat,
               const bool        explain);
@@ -34,8 +35,9 @@ namespace asperity
   /** mu and what belongs to it at the end of a run.
    *  @param error of mu, if it is known
    *  @param seconds that all of it has taken */
+  template <int dim>
   void
-  print_result(const SlidingRun                   &run,
+  print_result(const SlidingRun<dim>              &run,
                const SceneParameters              &parameters,
                const std::optional<ErrorEstimate> &error,
                const double                        seconds);

@@ -18,6 +18,7 @@ namespace asperity
   notes_on_input(const SceneInput &input);
 
   /** The run of a parameter file, with all that it writes. */
+  template <int dim>
   class SceneRun
   {
   public:
@@ -51,10 +52,10 @@ namespace asperity
     const SceneParameters &
     parameters() const;
 
-    const AuditedScene &
+    const AuditedScene<dim> &
     audited() const;
 
-    const SlidingRun &
+    const SlidingRun<dim> &
     run() const;
 
     /** Of the input, before the run. */
@@ -73,11 +74,11 @@ namespace asperity
     void
     restart();
 
-    SceneInput                   input;
-    const AuditedScene           audited_;
-    SlidingRun                   run_;
-    std::vector<std::string>     notes_;
-    std::unique_ptr<SceneOutput> output;
+    SceneInput                        input;
+    const AuditedScene<dim>           audited_;
+    SlidingRun<dim>                   run_;
+    std::vector<std::string>          notes_;
+    std::unique_ptr<SceneOutput<dim>> output;
   };
 } // namespace asperity
 

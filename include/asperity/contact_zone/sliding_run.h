@@ -48,10 +48,11 @@ namespace asperity
    * translation), then halved. With oil that fills the gap, chip and flow are
    * solved in turn, see LubricatedStep.
    */
+  template <int dim>
   class SlidingRun
   {
   public:
-    SlidingRun(const SceneParameters &parameters, Scene &scene);
+    SlidingRun(const SceneParameters &parameters, Scene<dim> &scene);
 
     /** What happens after each step, e.g. output. */
     using Observer = std::function<void(const SlidingRun &)>;
@@ -104,6 +105,10 @@ namespace asperity
     double
     period() const;
 
+    /** Of the contact edge, times which a pressure is a force [m^(dim - 1)]. */
+    double
+    area() const;
+
     /** The mean of tool and chip where they meet, at the last accepted step
      *  [K]; the tool keeps its temperature unless heat is conducted. */
     double
@@ -154,7 +159,7 @@ namespace asperity
     /** To the start of the accepted step, on the present mesh.
      *  @param before of the state */
     void
-    go_back(const StepStart &start, const SplineHierarchy<2> &before);
+    go_back(const StepStart &start, const SplineHierarchy<dim> &before);
 
     /** mu of the last evaluated displacement. */
     double
@@ -223,6 +228,17 @@ namespace asperity
     void
     record_heat(FrictionRow &row) const;
 
+    /** Components of a force along x and upwards, and across, per metre of the
+     *  width [N/m]. */
+    struct LineLoad
+    {
+      double along, up, across;
+    };
+
+    /** See above. @param force on the chip */
+    LineLoad
+    per_width(const dealii::Tensor<1, dim> &force) const;
+
     /** k of the chip at the points of the contact, at the start of the step and
      *  as its tractions per reference length of the edge [Pa]. */
     std::vector<double>
@@ -234,7 +250,7 @@ namespace asperity
     frictional_power(const double dt) const;
 
     const SceneParameters     &parameters;
-    Scene                     &scene;
+    Scene<dim>                &scene;
     LoadProtocol               protocol_;
     std::unique_ptr<SolidStep> step;
     RunState                   state_;
@@ -250,6 +266,18 @@ namespace asperity
 
     std::unique_ptr<LubricatedStep> lubricated_step_;
   };
+
+  // The mesh changes in two dimensions only.
+  template <>
+  double
+  SlidingRun<2>::present_friction() const;
+  template <>
+  void
+  SlidingRun<2>::adapt_mesh(const StepStart &start);
+  template <>
+  void
+  SlidingRun<2>::go_back(const StepStart          &start,
+                         const SplineHierarchy<2> &before);
 } // namespace asperity
 
 #endif

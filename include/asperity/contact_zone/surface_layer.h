@@ -4,6 +4,7 @@
 #include <asperity/constitutive/material_law.h>
 #include <asperity/isogeometric/basis_table.h>
 
+#include <array>
 #include <vector>
 
 namespace asperity
@@ -12,15 +13,16 @@ namespace asperity
    *  at the edge itself lies on the straight line through the two uppermost
    *  points below it: the uppermost ones come closer to it with every
    *  refinement of the mesh, and strain changes by per cents on the way. */
+  template <int dim>
   class SurfaceLayer
   {
   public:
     /** @param body table of its cells, periodic along the edge
      *  @param edge table of its top edge, of the same space
-     *  @param period of the first parameter */
-    SurfaceLayer(const BasisTable<2> &body,
-                 const BasisTable<2> &edge,
-                 const double         period);
+     *  @param period of the first parameter, in two dimensions */
+    SurfaceLayer(const BasisTable<dim> &body,
+                 const BasisTable<dim> &edge,
+                 const double           period);
 
     /** What the edge sees of the body. */
     struct Point
@@ -29,8 +31,9 @@ namespace asperity
       double temperature; ///< [K]
     };
 
-    /** One for each point of the edge, linear along the edge between the
-     *  material points; a strain is not negative. */
+    /** One for each point of the edge; a strain is not negative. Linear along
+     *  the edge between the material points, in three dimensions bilinear in
+     *  each cell. */
     std::vector<Point>
     at_edge(const std::vector<MaterialState> &history) const;
 
@@ -47,21 +50,23 @@ namespace asperity
     };
 
     static std::vector<Column>
-    columns_under(const BasisTable<2> &body, const BasisTable<2> &edge);
+    columns_under(const BasisTable<dim> &body, const BasisTable<dim> &edge);
 
     Point
     at_top(const std::vector<MaterialState> &history,
            const Column                     &column) const;
 
-    /** A point of the edge between two columns. */
+    /** A point of the edge between columns. */
     struct Place
     {
-      unsigned int left, right;
-      double       weight; ///< of the right one
+      std::array<unsigned int, 1 << (dim - 1)> column;
+      std::array<double, 1 << (dim - 1)>       weight;
     };
 
-    std::vector<Column> columns; ///< in the order of the first parameter
-    std::vector<double> area;    ///< of the uppermost points [m^2]
+    /** In two dimensions in the order of the first parameter, in three cell by
+     *  cell. */
+    std::vector<Column> columns;
+    std::vector<double> area; ///< of the uppermost points [m^dim]
     std::vector<Place>  places;
   };
 } // namespace asperity

@@ -3,6 +3,7 @@
 
 #include <asperity/coupling/coupling_sides.h>
 #include <asperity/coupling/interface.h>
+#include <asperity/solid/solid_assembler.h>
 #include <asperity/solid/solid_step.h>
 
 #include <vector>

@@ -44,7 +44,7 @@ namespace asperity
     const FluidStructureParameters &parameters;
     const InputRecord              &inputs;
     Table                           table;
-    ChipOutput                      body_output;
+    ChipOutput<2>                   body_output;
     VtuSeries                       fluid, body;
     CheckpointFolder                checkpoints;
     unsigned int                    last_picture;

@@ -20,7 +20,7 @@ namespace asperity
     template <typename Values>
     using Named = std::vector<std::pair<std::string, Values>>;
 
-    /** Coefficients of the displacement [m], [2 * function + component]. */
+    /** Coefficients of the displacement [m], [dim * function + component]. */
     dealii::Vector<double> displacement;
 
     /** Further spline fields: vectors (interleaved as the displacement) and
@@ -29,31 +29,33 @@ namespace asperity
     Named<dealii::Vector<double>> spline_scalars;
 
     /** Values at the quadrature points of all cells, in the order of the table
-     *  that tabulate_cells() makes with QGauss<2>(n_gauss_points). */
+     *  that tabulate_cells() makes with QGauss<dim>(n_gauss_points). */
     Named<std::vector<double>> quadrature_scalars;
   };
 
   /**
    * Pictures of the deformed chip. Each Bezier cell is divided into equal
-   * quadrilaterals; corners lie on the deformed geometry x = X + u. Quadrature
-   * fields are drawn through the polynomial that interpolates them at the Gauss
-   * points of the cell, limited to the range that they have there: the picture
-   * shows no overshoot, and jumps between cells stay visible.
+   * quadrilaterals or hexahedra; corners lie on the deformed geometry x = X +
+   * u. Quadrature fields are drawn through the polynomial that interpolates
+   * them at the Gauss points of the cell, limited to the range that they have
+   * there: the picture shows no overshoot, and jumps between cells stay
+   * visible.
    *
    * Holds tables of a space and a geometry; after refinement make a new one.
    */
+  template <int dim>
   class ChipOutput
   {
   public:
     /**
-     * @param n_subdivisions quadrilaterals a cell and direction
+     * @param n_subdivisions of a cell in each direction
      * @param n_gauss_points Gauss points a direction at which quadrature fields
      *   are given
      */
-    ChipOutput(const SplineSpace<2>   &space,
-               const PatchGeometry<2> &geometry,
-               const unsigned int      n_subdivisions,
-               const unsigned int      n_gauss_points);
+    ChipOutput(const SplineSpace<dim>   &space,
+               const PatchGeometry<dim> &geometry,
+               const unsigned int        n_subdivisions,
+               const unsigned int        n_gauss_points);
 
     /**
      * Writes VTU. The displacement is a field of its own, too, named
@@ -78,11 +80,11 @@ namespace asperity
 
     /** Value of a spline field at a table point. */
     double
-    spline_value(const BasisTable<2>::Element &element,
-                 const unsigned int            point,
-                 const dealii::Vector<double> &coefficients,
-                 const unsigned int            n_components,
-                 const unsigned int            component) const;
+    spline_value(const typename BasisTable<dim>::Element &element,
+                 const unsigned int                       point,
+                 const dealii::Vector<double>            &coefficients,
+                 const unsigned int                       n_components,
+                 const unsigned int                       component) const;
 
     /** Draws one cell's quadrature field into a row of the data. */
     void
@@ -96,12 +98,15 @@ namespace asperity
               const ChipFields        &fields,
               dealii::Table<2, float> &data) const;
 
+    unsigned int
+    n_gauss_of_cell() const;
+
     unsigned int n_subdivisions, n_gauss_points, n_functions;
 
     /** 0 if the space is not periodic [m]. */
     double period;
 
-    BasisTable<2> table;
+    BasisTable<dim> table;
 
     /** [picture point of a line * n_gauss_points + Gauss point] */
     std::vector<double> lagrange;

@@ -22,6 +22,7 @@ namespace asperity
     double       sliding_distance      = 0.;
     double       T_x                   = 0.;
     double       T_y                   = 0.;
+    double       T_transverse          = 0.;
     double       mu                    = 0.;
     double       ploughing             = 0.;
     double       interface_shear       = 0.;

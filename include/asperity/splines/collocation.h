@@ -1,6 +1,7 @@
 #ifndef asperity_splines_collocation_h
 #define asperity_splines_collocation_h
 
+#include <asperity/splines/banded_solver.h>
 #include <asperity/splines/knot_vector.h>
 
 #include <deal.II/base/point.h>
@@ -29,6 +30,23 @@ namespace asperity
               const std::vector<dealii::Point<2>> &points,
               const std::vector<double>           &parameters,
               const dealii::Tensor<1, 2>          &period);
+
+  /**
+   * The bending term, `bending` times the integral of |C''(t)|^2 dt, as a sum
+   * of squares as the data are: second derivatives of the basis at Gauss points
+   * @param weights those of the rows are appended
+   */
+  std::vector<CollocationRow>
+  bending_rows(const KnotVector           &knots,
+               const double                bending,
+               const dealii::Tensor<1, 2> &period,
+               std::vector<double>        &weights);
+
+  /** The matrix, not yet factorised, of weighted least squares. */
+  BandedSolver
+  normal_equations(const KnotVector                  &knots,
+                   const std::vector<CollocationRow> &rows,
+                   const std::vector<double>         &weights);
 
   /** The datum minus the curve [m]. */
   dealii::Tensor<1, 2>

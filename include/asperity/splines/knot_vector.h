@@ -29,6 +29,14 @@ namespace asperity
                const std::vector<double> &breakpoints,
                const bool                 periodic = false);
 
+    /** Periodic, n_spans equal spans from `begin` to `begin` + `period`.
+     *  @throws InputError as above, or if the period is not positive */
+    static KnotVector
+    uniform_periodic(const unsigned int degree,
+                     const unsigned int n_spans,
+                     const double       begin,
+                     const double       period);
+
     /** Open, any multiplicities. @throws InputError if the knots are none. */
     static KnotVector
     from_knots(const unsigned int degree, const std::vector<double> &knots);

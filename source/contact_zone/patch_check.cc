@@ -1,0 +1,53 @@
+#include "patch_check.h"
+
+#include <asperity/base/errors.h>
+
+namespace asperity
+{
+  namespace
+  {
+    /** The entries across the motion. */
+    void
+    check_mesh(const MeshParameters      &mesh,
+               const ParameterDeclarator &parameters)
+    {
+      if (!mesh.across)
+        return;
+      const unsigned int multiple = 1u << mesh.refinement,
+                         fewest   = (mesh.degree + 1) * multiple;
+      if (*mesh.across % multiple != 0 || *mesh.across < fewest)
+        throw InputError(parameters.where("Mesh/Spans across") + ": found " +
+                         std::to_string(*mesh.across) + " with " +
+                         std::to_string(mesh.refinement) +
+                         " refinement levels; expected a multiple of " +
+                         std::to_string(multiple) + " of at least " +
+                         std::to_string(fewest) +
+                         ", so that the coarsest level has p + 1 spans.");
+    }
+  } // namespace
+
+
+
+  void
+  check_patch(const SceneParameters &p, const ParameterDeclarator &parameters)
+  {
+    const auto fail = [&](const std::string &found,
+                          const std::string &expected) {
+      throw InputError(parameters.where("Geometry/Dimension") +
+                       ": found 3 with " + found + "; expected 2, or " +
+                       expected + ".");
+    };
+    if (p.lubrication.model != LubricantModel::none)
+      fail("a lubricant", "Lubrication/Model = none");
+    if (p.heat.model == HeatModel::conducting)
+      fail("heat that is conducted",
+           "the Heat model automatic, adiabatic or isothermal");
+    if (p.mesh.adaptive_levels > 0)
+      fail("a mesh that changes", "Mesh/Adaptive levels = 0");
+    if (p.accuracy.is_wanted())
+      fail("an estimate of the error of mu", "Accuracy/Control = off");
+    if (p.chip.kind == SurfaceKind::measured)
+      fail("a measured chip", "Chip surface/Kind = flat or harmonics");
+    check_mesh(p.mesh, parameters);
+  }
+} // namespace asperity
