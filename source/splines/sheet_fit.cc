@@ -1,5 +1,6 @@
 #include <asperity/base/errors.h>
 #include <asperity/splines/collocation.h>
+#include <asperity/splines/grid_lines.h>
 #include <asperity/splines/sheet_fit.h>
 
 #include <algorithm>
@@ -114,37 +115,6 @@ namespace asperity
 
 
 
-    /** Applies a map of lines to every row (direction 0) or column of a grid
-     *  with rows of n_x values. */
-    template <typename Map>
-    std::vector<double>
-    along(const unsigned int         direction,
-          const unsigned int         n_x,
-          const std::vector<double> &grid,
-          const Map                 &map)
-    {
-      const std::size_t   n_y = grid.size() / n_x;
-      std::vector<double> result;
-      const std::size_t   n_lines  = (direction == 0 ? n_y : n_x);
-      const std::size_t   length   = (direction == 0 ? n_x : n_y);
-      const std::size_t   step     = (direction == 0 ? 1 : n_x);
-      const std::size_t   line_gap = (direction == 0 ? n_x : 1);
-      std::vector<double> line(length);
-      for (std::size_t j = 0; j < n_lines; ++j)
-        {
-          for (std::size_t i = 0; i < length; ++i)
-            line[i] = grid[j * line_gap + i * step];
-          const std::vector<double> image = map(line);
-          result.resize(n_lines * image.size());
-          for (std::size_t i = 0; i < image.size(); ++i)
-            result[direction == 0 ? j * image.size() + i : i * n_lines + j] =
-              image[i];
-        }
-      return result;
-    }
-
-
-
     void
     check_data(const PeriodicHeights &data)
     {
@@ -204,20 +174,20 @@ namespace asperity
 
     std::vector<double> coefficients = data.heights;
     for (unsigned int d = 0; d < 2; ++d)
-      coefficients = along(d,
-                           d == 0 ? data.n[0] : n_spans[0],
-                           coefficients,
-                           [&](const std::vector<double> &line) {
-                             return fits[d].coefficients(line);
-                           });
+      coefficients = map_lines(d,
+                               d == 0 ? data.n[0] : n_spans[0],
+                               coefficients,
+                               [&](const std::vector<double> &line) {
+                                 return fits[d].coefficients(line);
+                               });
     std::vector<double> fitted = coefficients;
     for (unsigned int d = 0; d < 2; ++d)
-      fitted = along(d,
-                     d == 0 ? n_spans[0] : data.n[0],
-                     fitted,
-                     [&](const std::vector<double> &line) {
-                       return fits[d].values(line);
-                     });
+      fitted = map_lines(d,
+                         d == 0 ? n_spans[0] : data.n[0],
+                         fitted,
+                         [&](const std::vector<double> &line) {
+                           return fits[d].values(line);
+                         });
     return {SplineSheet(knot_vectors, coefficients),
             make_report(data, fitted, coefficients.size())};
   }
