@@ -1,0 +1,438 @@
+#include <asperity/splines/sheet_certificate.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace asperity
+{
+  namespace
+  {
+    constexpr unsigned int max_degree = SheetPieces::max_degree;
+
+    // Beyond these numbers the closest point is of no use, or cannot be told
+    // from others (centre of a sphere).
+    constexpr double       max_pieces = 2e6;
+    constexpr unsigned int max_parts  = 20000;
+    constexpr unsigned int max_depth  = 80;
+
+    // To look up bounds of more pieces costs more than it brings.
+    constexpr long max_pieces_of_bounds = 16;
+
+    /** The factors of squares of Bernstein polynomials: coefficient i + j of
+     *  degree 2 p in B_i B_j. */
+    class SquareFactors
+    {
+    public:
+      SquareFactors()
+      {
+        for (unsigned int p = 1; p <= max_degree; ++p)
+          for (unsigned int i = 0; i <= p; ++i)
+            for (unsigned int j = 0; j <= p; ++j)
+              table[p][i][j] =
+                binomial(p, i) * binomial(p, j) / binomial(2 * p, i + j);
+      }
+
+      double table[max_degree + 1][max_degree + 1][max_degree + 1];
+
+    private:
+      static double
+      binomial(const unsigned int n, const unsigned int k)
+      {
+        double result = 1.;
+        for (unsigned int i = 1; i <= k; ++i)
+          result *= double(n + 1 - i) / i;
+        return std::round(result);
+      }
+    };
+
+    const SquareFactors square_factors;
+
+
+
+    /** Distance of zero to an interval. */
+    double
+    gap(const double low, const double high)
+    {
+      return std::max({0., low, -high});
+    }
+
+
+
+    /** Bernstein coefficient k of degree n of (low + (high - low) u)^2. */
+    double
+    square_of_place(const double       low,
+                    const double       high,
+                    const unsigned int n,
+                    const unsigned int k)
+    {
+      const double w = high - low;
+      return low * low + 2. * low * w * k / n +
+             (k > 1 ? w * w * k * (k - 1.) / (n * (n - 1.)) : 0.);
+    }
+
+
+
+    /** De Casteljau at the middle, for lines of a net: `right` is the whole net
+     *  at first, then its right half. */
+    void
+    bisect_lines(double            *left,
+                 double            *right,
+                 const unsigned int degree,
+                 const unsigned int step,
+                 const unsigned int n_lines,
+                 const unsigned int line_step)
+    {
+      for (unsigned int line = 0; line < n_lines; ++line)
+        {
+          double *l = left + line * line_step, *r = right + line * line_step;
+          l[0] = r[0];
+          for (unsigned int k = 1; k <= degree; ++k)
+            {
+              for (unsigned int i = 0; i <= degree - k; ++i)
+                r[i * step] = (r[i * step] + r[(i + 1) * step]) / 2.;
+              l[k * step] = r[0];
+            }
+        }
+    }
+  } // namespace
+
+
+
+  SheetCertificate::SheetCertificate(const SheetPieces   &pieces,
+                                     const SheetDistance &distance,
+                                     const SheetFoot     &known)
+    : pieces(pieces)
+    , distance(distance)
+    , p(pieces.degree(0))
+    , q(pieces.degree(1))
+    , best_foot(known)
+    , best_squared_distance(known.squared_distance())
+  {}
+
+
+
+  bool
+  SheetCertificate::prove()
+  {
+    const double r = best_foot.rz;
+    if (!std::isfinite(best_squared_distance))
+      return false;
+    if (best_foot.converged)
+      {
+        const SheetBending &all = pieces.bending();
+        if (r * (r > 0. ? all.least : all.greatest) > -1.)
+          return true;
+        const Circle circle = circle_around(best_foot);
+        const double reach  = std::sqrt(best_squared_distance) +
+                             std::hypot(best_foot.rx, best_foot.ry);
+        const bool everywhere =
+          circle.low[0] == -std::numeric_limits<double>::max();
+        if (everywhere && circle.radius >= reach)
+          return true;
+        circles[n_circles++] = circle;
+      }
+    return examine_all();
+  }
+
+
+
+  SheetBending
+  SheetCertificate::bending_within(const double radius) const
+  {
+    const dealii::Point<3> &point = distance.point();
+    if (radius > max_pieces_of_bounds *
+                   std::max(pieces.mean_width(0), pieces.mean_width(1)))
+      return pieces.bending();
+    const long first_x = pieces.span(0, point[0] - radius);
+    const long last_x  = pieces.span(0, point[0] + radius);
+    const long first_y = pieces.span(1, point[1] - radius);
+    const long last_y  = pieces.span(1, point[1] + radius);
+    if ((last_x - first_x + 1) * (last_y - first_y + 1) > max_pieces_of_bounds)
+      return pieces.bending();
+    SheetBending bending;
+    for (long j = first_y; j <= last_y; ++j)
+      for (long i = first_x; i <= last_x; ++i)
+        bending.include(pieces.bending(pieces.piece(i, j)));
+    return bending;
+  }
+
+
+
+  SheetCertificate::Circle
+  SheetCertificate::circle_around(const SheetFoot &foot) const
+  {
+    constexpr double everywhere = std::numeric_limits<double>::max();
+    Circle           circle;
+    circle.x = foot.rx;
+    circle.y = foot.ry;
+    for (unsigned int d = 0; d < 2; ++d)
+      {
+        circle.low[d]  = -everywhere;
+        circle.high[d] = everywhere;
+      }
+    // The foot and all closer places lie within its own distance.
+    SheetBending bending = bending_within(std::sqrt(foot.squared_distance()));
+    if (foot.rz * (foot.rz > 0. ? bending.least : bending.greatest) > -1.)
+      {
+        circle.radius = everywhere;
+        return circle;
+      }
+    if (std::min(p, q) < 3)
+      {
+        // Second derivatives jump at the knots: only on the foot's own piece.
+        const long spans[] = {pieces.span(0, foot.x), pieces.span(1, foot.y)};
+        for (unsigned int d = 0; d < 2; ++d)
+          {
+            const double at = distance.point()[d];
+            circle.low[d]   = pieces.begin(d, spans[d]) - at;
+            circle.high[d]  = pieces.begin(d, spans[d] + 1) - at;
+          }
+        bending = pieces.bending(pieces.piece(spans[0], spans[1]));
+      }
+    const double decrease =
+      std::abs(foot.rz) * bending.change / 3. +
+      foot.jet.gradient.norm() * std::max(-bending.least, bending.greatest);
+    circle.radius = std::max(0., least_eigenvalue(foot.hessian())) / decrease;
+    return circle;
+  }
+
+
+
+  bool
+  SheetCertificate::examine_all()
+  {
+    const dealii::Point<3> &point = distance.point();
+    const double            above =
+      gap(pieces.lowest() - point[2], pieces.highest() - point[2]);
+    const double reach2 =
+      std::max(0., best_squared_distance - above * above) * (1. + 1e-14);
+    const double reach = std::sqrt(reach2) + distance.position_noise();
+    if (4. * reach * reach >
+        max_pieces * pieces.mean_width(0) * pieces.mean_width(1))
+      return false;
+    const long first_x = pieces.span(0, point[0] - reach);
+    const long last_x  = pieces.span(0, point[0] + reach);
+    const long first_y = pieces.span(1, point[1] - reach);
+    const long last_y  = pieces.span(1, point[1] + reach);
+    for (long j = first_y; j <= last_y; ++j)
+      for (long i = first_x; i <= last_x; ++i)
+        {
+          examine(i, j);
+          if (n_parts > max_parts)
+            return false;
+        }
+    return true;
+  }
+
+
+
+  void
+  SheetCertificate::examine(const long span_x, const long span_y)
+  {
+    const dealii::Point<3> &point    = distance.point();
+    const long              spans[2] = {span_x, span_y};
+    Part                    part;
+    double                  gap2 = 0.;
+    for (unsigned int d = 0; d < 2; ++d)
+      {
+        part.low[d]       = pieces.begin(d, spans[d]) - point[d];
+        part.high[d]      = pieces.begin(d, spans[d] + 1) - point[d];
+        const double here = gap(part.low[d], part.high[d]);
+        gap2 += here * here;
+      }
+    const std::size_t piece = pieces.piece(span_x, span_y);
+    const double      here =
+      gap(pieces.lowest(piece) - point[2], pieces.highest(piece) - point[2]);
+    if (gap2 + here * here >= best_squared_distance || in_a_circle(part))
+      return;
+    const double *heights = pieces.heights(piece);
+    for (unsigned int k = 0; k < (p + 1) * (q + 1); ++k)
+      part.heights[k] = heights[k] - point[2];
+    if (!is_beyond_tangent_plane(part))
+      search(part, 0);
+  }
+
+
+
+  bool
+  SheetCertificate::in_a_circle(const Part &part) const
+  {
+    for (unsigned int k = 0; k < n_circles; ++k)
+      {
+        const Circle &circle = circles[k];
+        const double  dx =
+          std::max(part.high[0] - circle.x, circle.x - part.low[0]);
+        const double dy =
+          std::max(part.high[1] - circle.y, circle.y - part.low[1]);
+        if (dx * dx + dy * dy <= circle.radius * circle.radius &&
+            part.low[0] >= circle.low[0] && part.high[0] <= circle.high[0] &&
+            part.low[1] >= circle.low[1] && part.high[1] <= circle.high[1])
+          return true;
+      }
+    return false;
+  }
+
+
+
+  bool
+  SheetCertificate::is_beyond_tangent_plane(const Part &part) const
+  {
+    // Of the sphere of the best distance, at the best foot.
+    for (unsigned int j = 0; j <= q; ++j)
+      {
+        const double y =
+          part.low[1] + (part.high[1] - part.low[1]) * j / double(q);
+        for (unsigned int i = 0; i <= p; ++i)
+          {
+            const double x =
+              part.low[0] + (part.high[0] - part.low[0]) * i / double(p);
+            if (!(x * best_foot.rx + y * best_foot.ry +
+                    part.heights[j * (p + 1) + i] * best_foot.rz >=
+                  best_squared_distance))
+              return false;
+          }
+      }
+    return true;
+  }
+
+
+
+  double
+  SheetCertificate::form_squared_distance(const Part &part,
+                                          double     *coefficients) const
+  {
+    const unsigned int nx = 2 * p + 1, ny = 2 * q + 1;
+    double             places[2 * max_degree + 1];
+    for (unsigned int k = 0; k < nx; ++k)
+      places[k] = square_of_place(part.low[0], part.high[0], 2 * p, k);
+    for (unsigned int l = 0; l < ny; ++l)
+      {
+        const double y2 = square_of_place(part.low[1], part.high[1], 2 * q, l);
+        for (unsigned int k = 0; k < nx; ++k)
+          coefficients[l * nx + k] = places[k] + y2;
+      }
+    double highest = 0.;
+    for (unsigned int j = 0; j <= q; ++j)
+      for (unsigned int l = j; l <= q; ++l)
+        {
+          const double *a = part.heights + j * (p + 1);
+          const double *b = part.heights + l * (p + 1);
+          const double  factor =
+            (j == l ? 1. : 2.) * square_factors.table[q][j][l];
+          double *line = coefficients + (j + l) * nx;
+          for (unsigned int i = 0; i <= p; ++i)
+            {
+              const double scaled = factor * a[i];
+              for (unsigned int k = 0; k <= p; ++k)
+                line[i + k] += scaled * b[k] * square_factors.table[p][i][k];
+            }
+        }
+    for (unsigned int k = 0; k < (p + 1) * (q + 1); ++k)
+      highest = std::max(highest, std::abs(part.heights[k]));
+    const double x      = std::max(-part.low[0], part.high[0]);
+    const double y      = std::max(-part.low[1], part.high[1]);
+    const double reach2 = x * x + y * y + highest * highest;
+    const double noise  = distance.position_noise();
+    return 2. * noise * (std::sqrt(reach2) + noise) + 2e-15 * reach2;
+  }
+
+
+
+  bool
+  SheetCertificate::is_monotonic(const double *coefficients,
+                                 const double  noise) const
+  {
+    const unsigned int nx = 2 * p + 1, ny = 2 * q + 1;
+    bool               rises[2] = {true, true}, falls[2] = {true, true};
+    for (unsigned int l = 0; l < ny; ++l)
+      for (unsigned int k = 0; k < nx; ++k)
+        for (unsigned int d = 0; d < 2; ++d)
+          {
+            if ((d == 0 ? k + 1 == nx : l + 1 == ny))
+              continue;
+            const double *c      = coefficients + l * nx + k;
+            const double  change = c[d == 0 ? 1 : nx] - c[0];
+            rises[d]             = rises[d] && change > noise;
+            falls[d]             = falls[d] && change < -noise;
+          }
+    return rises[0] || falls[0] || rises[1] || falls[1];
+  }
+
+
+
+  void
+  SheetCertificate::look_for_better(const Part &part, const unsigned int depth)
+  {
+    const double    x = distance.point()[0] + (part.low[0] + part.high[0]) / 2.;
+    const double    y = distance.point()[1] + (part.low[1] + part.high[1]) / 2.;
+    const SheetFoot middle = distance.foot(x, y);
+    const bool      better = middle.squared_distance() < best_squared_distance;
+    // Deep below is another minimum, as far as the best one known: a circle
+    // around it spares the parts near it.
+    const bool stuck = depth >= 6 && depth % 2 == 0 &&
+                       n_circles < max_circles &&
+                       least_eigenvalue(middle.hessian()) > 0.;
+    if (!better && !stuck)
+      return;
+    const SheetFoot found = distance.minimize(middle);
+    if (found.squared_distance() < best_squared_distance)
+      {
+        const unsigned int iterations = best_foot.iterations;
+        best_foot                     = found;
+        best_squared_distance         = found.squared_distance();
+        best_foot.iterations += iterations;
+      }
+    if (found.converged && n_circles < max_circles)
+      {
+        const Circle circle = circle_around(found);
+        for (unsigned int k = 0; k < n_circles; ++k)
+          if (std::hypot(circle.x - circles[k].x, circle.y - circles[k].y) <
+              0.1 * circles[k].radius)
+            return;
+        circles[n_circles++] = circle;
+      }
+  }
+
+
+
+  void
+  SheetCertificate::search(const Part &part, const unsigned int depth)
+  {
+    if (++n_parts > max_parts || depth > max_depth)
+      return;
+    const unsigned int n = (2 * p + 1) * (2 * q + 1);
+    double             squares[(2 * max_degree + 1) * (2 * max_degree + 1)];
+    const double       noise = form_squared_distance(part, squares);
+    const double       limit = best_squared_distance * (1. - 1e-13) - noise;
+    if (*std::min_element(squares, squares + n) >= limit ||
+        is_monotonic(squares, noise))
+      return;
+    look_for_better(part, depth);
+    if (in_a_circle(part))
+      return;
+
+    // Across the direction in which the squared distance bends most.
+    const unsigned int nx      = 2 * p + 1;
+    double             bend[2] = {0., 0.};
+    for (unsigned int k = 0; k < n; ++k)
+      {
+        if (k % nx >= 2)
+          bend[0] +=
+            std::abs(squares[k] - 2. * squares[k - 1] + squares[k - 2]);
+        if (k >= 2 * nx)
+          bend[1] +=
+            std::abs(squares[k] - 2. * squares[k - nx] + squares[k - 2 * nx]);
+      }
+    const unsigned int d    = (bend[0] >= bend[1] ? 0 : 1);
+    Part               left = part, right = part;
+    left.high[d] = right.low[d] = (part.low[d] + part.high[d]) / 2.;
+    if (d == 0)
+      bisect_lines(left.heights, right.heights, p, 1, q + 1, p + 1);
+    else
+      bisect_lines(left.heights, right.heights, q, p + 1, p + 1, 1);
+    for (const Part *half : {&left, &right})
+      if (!in_a_circle(*half) && !is_beyond_tangent_plane(*half))
+        search(*half, depth + 1);
+  }
+} // namespace asperity
