@@ -1,5 +1,6 @@
 #include <asperity/base/errors.h>
 #include <asperity/base/text.h>
+#include <asperity/topography/autocorrelation.h>
 #include <asperity/topography/gaussian_filter.h>
 #include <asperity/topography/typical_profile.h>
 
@@ -159,7 +160,7 @@ namespace asperity
   void
   SurfaceChooser::choose_period_and_l_filter(HeightMap &filtered)
   {
-    const double correlation = autocorrelation_length(filtered, direction);
+    const double correlation = Autocorrelation(filtered).decay(direction).lag;
     const double longest =
       std::max(waves_a_period * wave,
                std::min(most_waves_a_period * wave, longest_usual_period));

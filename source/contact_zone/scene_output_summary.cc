@@ -60,6 +60,24 @@ namespace asperity
 
     template <int dim>
     json
+    summarise_surfaces(const Scene<dim> &scene)
+    {
+      json        summary    = {{"period", scene.length},
+                                {"tool", scene.tool_surface.description},
+                                {"chip", scene.chip_surface.description}};
+      const auto &topography = scene.tool_surface.topography;
+      if (topography)
+        {
+          summary["Sal"] = number_or_null(topography->texture.Sal);
+          summary["Str"] = number_or_null(topography->texture.Str);
+        }
+      if (dim == 3)
+        summary["width"] = scene.width;
+      return summary;
+    }
+
+    template <int dim>
+    json
     summarise_oil(const SlidingRun<dim> &run,
                   const Scene<dim>      &scene,
                   const SceneParameters &parameters)
@@ -216,11 +234,7 @@ namespace asperity
       {"material", scene.law->name()}};
     summary["mechanisms"] = mechanisms_of(parameters);
     summary["mesh"]       = summarise_mesh(run, scene, parameters);
-    summary["surfaces"]   = {{"period", scene.length},
-                             {"tool", scene.tool_surface.description},
-                             {"chip", scene.chip_surface.description}};
-    if (dim == 3)
-      summary["surfaces"]["width"] = scene.width;
+    summary["surfaces"]   = summarise_surfaces(scene);
     json numbers;
     for (const AuditEntry &entry : audit.entries)
       numbers[entry.name] = {{"value", number_or_null(entry.value)},

@@ -1,9 +1,9 @@
 #include "surface_audit.h"
 
 #include <asperity/base/quantity.h>
-#include <asperity/topography/texture.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace asperity
 {
@@ -12,26 +12,41 @@ namespace asperity
     /** The shortest wave that a map shows. */
     constexpr double pixels_a_wave = 3.;
 
+    /** Up to this texture aspect ratio a surface counts as directional. */
+    constexpr double largest_aspect_ratio = 0.3;
+
     void
-    audit_texture(const HeightMap   &map,
-                  const std::string &whose,
-                  SceneAudit        &audit)
+    audit_texture(const TopographyReport &topography,
+                  const std::string      &whose,
+                  SceneAudit             &audit)
     {
-      if (map.ny == 1)
+      if (topography.map.ny == 1)
         return;
-      const Texture texture = measure_texture(map);
+      const ArealTexture &texture  = topography.texture;
+      const bool          is_known = !std::isnan(texture.Str);
       audit.entries.push_back(
-        {"slope along the lay over slope across, " + whose,
-         texture.aspect_ratio(),
-         "above about 0.6 there is no lay, and a profile in plane strain, a "
-         "ridge without end, stands for hills"});
-      if (!texture.has_lay())
-        audit.warnings.push_back(
-          whose + " surface: it has no lay (slopes along and across are as " +
-          format_quantity(texture.aspect_ratio(), "1", 2) +
-          " to 1), and one profile stands for it in plane strain: eight "
-          "profiles of the blasted tool of the examples differ by 33 % in mu; "
-          "asperity sensitivity tells what another one changes.");
+        {"texture aspect ratio Str, " + whose,
+         texture.Str_bound,
+         std::string(is_known ? "" :
+                                "(at most: some decay takes more than half of "
+                                "the map) ") +
+           "above 0.3 a profile in plane strain, a ridge without end, stands "
+           "for hills"});
+      if (texture.Str_bound <= largest_aspect_ratio)
+        return;
+      const std::string ratio = format_quantity(texture.Str_bound, "1", 2);
+      audit.warnings.push_back(
+        whose + " surface: " +
+        (is_known ?
+           "its texture aspect ratio Str is " + ratio +
+             ", and above 0.3 one profile in plane strain, a ridge without "
+             "end, cannot stand for its hills: eight profiles of the blasted "
+             "tool of the examples differ by 33 % in mu; asperity "
+             "sensitivity tells what another one changes." :
+           "whether one profile in plane strain can stand for it, for which "
+           "its texture aspect ratio Str should be at most 0.3, the map is too "
+           "small to tell: Str is at most " +
+             ratio + "."));
     }
 
     void
@@ -81,7 +96,7 @@ namespace asperity
     if (!surface.topography)
       return;
     audit_treatment(*surface.topography, whose, audit);
-    audit_texture(surface.topography->map, whose, audit);
+    audit_texture(*surface.topography, whose, audit);
     audit_filter(parameters.topography, surface.topography->map, whose, audit);
   }
 } // namespace asperity

@@ -382,7 +382,8 @@ namespace asperity
     report.steps  = map.provenance.notes;
     remove_spikes_and_crop(parameters, map, report);
     remove_form_and_filter(parameters, map, report);
-    report.areal = areal_roughness(map);
+    report.areal   = areal_roughness(map);
+    report.texture = areal_texture(map);
     return map;
   }
 

@@ -60,7 +60,9 @@ namespace asperity
     }
 
     void
-    print_areal(const ArealRoughness &a, std::ostream &out)
+    print_areal(const ArealRoughness &a,
+                const ArealTexture   &texture,
+                std::ostream         &out)
     {
       out << "Areal roughness (ISO 25178-2)\n";
       print_row(out, "Sa", length(a.Sa));
@@ -71,6 +73,14 @@ namespace asperity
       print_row(out, "Ssk", number(a.Ssk));
       print_row(out, "Sku", number(a.Sku));
       print_row(out, "Sdq", number(a.Sdq));
+      print_row(out, "Sdr", number(100. * a.Sdr) + " %");
+      print_row(out, "Sal", length(texture.Sal));
+      print_row(out,
+                "Str",
+                std::isnan(texture.Str) ?
+                  "at most " + number(texture.Str_bound) +
+                    " (some decay to 0.2 takes more than half of the map)" :
+                  number(texture.Str));
     }
 
     void
@@ -105,7 +115,7 @@ namespace asperity
     }
 
     Json
-    json_of(const ArealRoughness &a)
+    json_of(const ArealRoughness &a, const ArealTexture &texture)
     {
       return {{"standard", "ISO 25178-2"},
               {"Sa", a.Sa},
@@ -115,7 +125,11 @@ namespace asperity
               {"Sz", a.Sz},
               {"Ssk", a.Ssk},
               {"Sku", a.Sku},
-              {"Sdq", a.Sdq}};
+              {"Sdq", a.Sdq},
+              {"Sdr", a.Sdr},
+              {"Sal", texture.Sal},
+              {"Str", texture.Str},
+              {"Str_bound", texture.Str_bound}};
     }
 
     Json
@@ -157,7 +171,7 @@ namespace asperity
     for (const auto &step : report.steps)
       out << "  " << step << '\n';
     if (report.map.ny > 1)
-      print_areal(report.areal, out);
+      print_areal(report.areal, report.texture, out);
     print_profile_roughness("Measured profile (ISO 4287)",
                             report.measured_roughness,
                             out);
@@ -193,7 +207,7 @@ namespace asperity
                                            {"row", report.window.row},
                                            {"points", {report.window.nx, report.window.ny}}};
     json["Sq_before_form"]              = report.Sq_before_form;
-    json["areal"]                       = json_of(report.areal);
+    json["areal"]                       = json_of(report.areal, report.texture);
     json["measured_profile"]            = json_of(report.measured_roughness);
     json["measured_profile"]["samples"] = report.measured.heights.size();
     json["measured_profile"]["spacing"] = report.measured.spacing;

@@ -161,6 +161,9 @@ namespace asperity
           row("Ssk", a.Ssk, none, false);
           row("Sku", a.Sku, none, false);
           row("Sdq", a.Sdq, none, false);
+          row("Sdr", a.Sdr, none, false);
+          row("Sal [um]", report.texture.Sal, none, true);
+          row("Str", report.texture.Str, none, false);
           y += 10.;
         }
       print("ISO 4287    measured    finished");

@@ -59,16 +59,20 @@ namespace asperity
       return m;
     }
 
-    /**
-     * Root mean square slope over the points that have three valid neighbours
-     * on either side in each direction of @p map; NaN if there are none.
-     */
-    double
-    rms_slope(const HeightMap &map)
+    struct Slopes
+    {
+      double rms;            ///< root mean square
+      double developed_area; ///< over the projected one, less 1
+    };
+
+    /** Over the points that have three valid neighbours on either side in each
+     *  direction of @p map; NaN if there are none. */
+    Slopes
+    slopes(const HeightMap &map)
     {
       const int   margin_y = map.ny == 1 ? 0 : 3;
-      double      sum      = 0.;
-      std::size_t n        = 0;
+      double      sum = 0., area = 0.;
+      std::size_t n = 0;
       for (int j = margin_y; j + margin_y < static_cast<int>(map.ny); ++j)
         for (int i = 3; i + 3 < static_cast<int>(map.nx); ++i)
           {
@@ -82,10 +86,13 @@ namespace asperity
             if (!std::isnan(square))
               {
                 sum += square;
+                area += square / (1. + std::sqrt(1. + square));
                 ++n;
               }
           }
-      return n > 0 ? std::sqrt(sum / n) : missing_height;
+      if (n == 0)
+        return {missing_height, missing_height};
+      return {std::sqrt(sum / n), area / n};
     }
   } // namespace
 
@@ -93,6 +100,7 @@ namespace asperity
   areal_roughness(const HeightMap &map)
   {
     const Moments  m = moments(map.heights);
+    const Slopes   s = slopes(map);
     ArealRoughness roughness;
     roughness.Sa  = m.absolute;
     roughness.Sq  = m.rms;
@@ -101,7 +109,8 @@ namespace asperity
     roughness.Sz  = m.peak + m.valley;
     roughness.Ssk = m.skewness;
     roughness.Sku = m.kurtosis;
-    roughness.Sdq = rms_slope(map);
+    roughness.Sdq = s.rms;
+    roughness.Sdr = s.developed_area;
     return roughness;
   }
 
@@ -122,7 +131,7 @@ namespace asperity
     line.dx       = spacing;
     line.dy       = spacing;
     line.heights  = heights;
-    roughness.Rdq = rms_slope(line);
+    roughness.Rdq = slopes(line).rms;
 
     // If five does not divide the number of samples, the first sections get
     // one more.

@@ -89,51 +89,6 @@ namespace asperity
 
 
   double
-  autocorrelation_length(const HeightMap &map, const double direction)
-  {
-    constexpr double level   = 0.2;
-    const bool       along_y = map.ny > 1 && std::abs(std::sin(direction)) >
-                                         std::abs(std::cos(direction));
-    const unsigned int nx = along_y ? map.ny : map.nx,
-                       ny = along_y ? map.nx : map.ny;
-    const double spacing  = along_y ? map.dy : map.dx;
-    const double cosine =
-      along_y ? std::abs(std::sin(direction)) : std::abs(std::cos(direction));
-    // Of a large map some hundred lines say as much as all.
-    const unsigned int stride      = std::max(1u, ny / 256);
-    const auto         correlation = [&](const unsigned int lag) {
-      double      sum = 0.;
-      std::size_t n   = 0;
-      for (unsigned int j = 0; j < ny; j += stride)
-        for (unsigned int i = 0; i + lag < nx; ++i)
-          {
-            const double product = along_y ? map(j, i) * map(j, i + lag) :
-                                                     map(i, j) * map(i + lag, j);
-            if (!std::isnan(product))
-              {
-                sum += product;
-                ++n;
-              }
-          }
-      return n > 0 ? sum / n : 0.;
-    };
-    const double variance = correlation(0);
-    if (!(variance > 0.))
-      return 0.;
-    double before = 1.;
-    for (unsigned int lag = 1; lag <= nx / 2; ++lag)
-      {
-        const double now = correlation(lag) / variance;
-        if (now <= level)
-          return spacing * cosine * (lag - (level - now) / (before - now));
-        before = now;
-      }
-    return spacing * cosine * (nx / 2);
-  }
-
-
-
-  double
   nesting_index_of_at_least(const double length)
   {
     const double decade = std::pow(10., std::floor(std::log10(length)));

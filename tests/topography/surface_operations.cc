@@ -180,6 +180,8 @@ TEST(Roughness, areal_parameters_of_an_egg_box)
   EXPECT_NEAR(a.Ssk, 0., 1e-10);
   EXPECT_NEAR(a.Sku, 9. / 64. * 16., 1e-10);
   EXPECT_NEAR(a.Sdq, A * k / std::sqrt(2.), 0.02 * A * k);
+  // sqrt(1 + s^2) - 1 = s^2/2 but for terms of s^4
+  EXPECT_NEAR(a.Sdr, 0.5 * a.Sdq * a.Sdq, 1e-4 * a.Sdr);
 }
 
 TEST(Roughness, slope_of_a_plane_is_exact_also_beside_missing_points)
@@ -190,6 +192,7 @@ TEST(Roughness, slope_of_a_plane_is_exact_also_beside_missing_points)
   map(10, 10)  = missing_height;
   const auto a = areal_roughness(map);
   EXPECT_NEAR(a.Sdq, 0.5, 1e-13);
+  EXPECT_NEAR(a.Sdr, std::sqrt(1.25) - 1., 1e-13);
 }
 
 TEST(MissingData, largest_window_agrees_with_brute_force)

@@ -94,19 +94,6 @@ TEST(PixelNoise, keeps_the_slope_of_the_formula_behind_a_filter)
   EXPECT_NEAR(texture.smallest_slope, slope, 0.05 * slope);
 }
 
-TEST(AutocorrelationLength, of_a_wave_is_where_its_cosine_is_0_2)
-{
-  const double expected = std::acos(0.2) / k;
-  for (const double degrees : {0., 30., 60., 90.})
-    {
-      const double angle = degrees * M_PI / 180.;
-      EXPECT_NEAR(autocorrelation_length(wave_at(angle), angle),
-                  expected,
-                  0.05 * expected)
-        << degrees;
-    }
-}
-
 TEST(NestingIndex, is_the_next_of_the_standard)
 {
   for (const auto &[length, index] : {std::pair(0.3, 0.5),

@@ -1,6 +1,7 @@
 #ifndef asperity_topography_make_profile_h
 #define asperity_topography_make_profile_h
 
+#include <asperity/topography/autocorrelation.h>
 #include <asperity/topography/missing_data.h>
 #include <asperity/topography/roughness.h>
 #include <asperity/topography/sanity_report.h>
@@ -33,6 +34,7 @@ namespace asperity
     /** After form removal and filters. */
     HeightMap      map;
     ArealRoughness areal;
+    ArealTexture   texture;
 
     /** The measured profile without missing ends and gaps, and its line. */
     Profile          measured;

@@ -9,7 +9,7 @@ namespace asperity
 {
   /**
    * Areal parameters of ISO 25178-2 over all valid points of a map, heights
-   * measured from their mean [m]; Ssk, Sku, Sdq without unit.
+   * measured from their mean [m]; Ssk, Sku, Sdq, Sdr without unit.
    */
   struct ArealRoughness
   {
@@ -23,6 +23,11 @@ namespace asperity
 
     /** Root mean square slope by slope_at(); NaN if no point has one. */
     double Sdq = 0.;
+
+    /** Developed interfacial area ratio: what the surface has more area than
+     *  its projection, mean of sqrt(1 + |grad z|^2) - 1 over the same points.
+     */
+    double Sdr = 0.;
   };
 
   /**

@@ -55,17 +55,6 @@ namespace asperity
                        const double     noise,
                        const double     cutoff);
 
-  /**
-   * The lag [m] at which the autocorrelation of the heights along @p direction
-   * [rad] has fallen to 0.2 (the fastest decay of ISO 25178-2 if the direction
-   * is across the lay). Heights count from zero: remove the form first. Of the
-   * two axes, the one nearer to the direction is taken, and the lag shortened
-   * by the cosine between them. If the correlation stays above 0.2, the longest
-   * lag looked at, half of the map.
-   */
-  double
-  autocorrelation_length(const HeightMap &map, const double direction);
-
   /** The smallest nesting index of ISO 25178-3 (1, 2, 2.5, 5, 8 times a power
    * of ten) that is not below @p length [m]. */
   double
