@@ -1,6 +1,9 @@
 #include "patch_check.h"
 
 #include <asperity/base/errors.h>
+#include <asperity/base/quantity.h>
+
+#include <cmath>
 
 namespace asperity
 {
@@ -23,6 +26,27 @@ namespace asperity
                          std::to_string(multiple) + " of at least " +
                          std::to_string(fewest) +
                          ", so that the coarsest level has p + 1 spans.");
+    }
+
+    void
+    check_waves(const SurfaceParameters   &surface,
+                const std::string         &section,
+                const ParameterDeclarator &parameters)
+    {
+      if (surface.kind != SurfaceKind::harmonics || surface.across.empty())
+        return;
+      const std::string found =
+        parameters.where(section + "/Wave numbers across") + ": found ";
+      if (surface.across.size() != surface.wave_numbers.size())
+        throw InputError(found + std::to_string(surface.across.size()) +
+                         " values; expected " +
+                         std::to_string(surface.wave_numbers.size()) +
+                         ", one for each wave number, or none.");
+      for (const double j : surface.across)
+        if (j != std::floor(j))
+          throw InputError(found + format_number(j) +
+                           "; expected whole numbers, so that the surface is "
+                           "periodic.");
     }
   } // namespace
 
@@ -49,5 +73,7 @@ namespace asperity
     if (p.chip.kind == SurfaceKind::measured)
       fail("a measured chip", "Chip surface/Kind = flat or harmonics");
     check_mesh(p.mesh, parameters);
+    check_waves(p.tool, "Tool", parameters);
+    check_waves(p.chip, "Chip surface", parameters);
   }
 } // namespace asperity

@@ -102,19 +102,12 @@ namespace asperity
     };
     same_length(amplitudes, "Amplitudes");
     same_length(phases, "Phases");
-    if (!across.empty())
-      same_length(across, "Wave numbers across");
-    const auto whole = [&](const std::vector<double> &list,
-                           const std::string         &key) {
-      for (const double k : list)
-        if (k != std::floor(k))
-          throw InputError(parameters.where(section + "/" + key) + ": found " +
-                           format_number(k) +
-                           "; expected whole numbers, so that the surface is "
-                           "periodic.");
-    };
-    whole(wave_numbers, "Wave numbers");
-    whole(across, "Wave numbers across");
+    for (const double k : wave_numbers)
+      if (k != std::floor(k))
+        throw InputError(parameters.where(section + "/Wave numbers") +
+                         ": found " + format_number(k) +
+                         "; expected whole numbers, so that the surface is "
+                         "periodic.");
     if (n_spans_of_harmonics() < spans_per_wave * highest_wave_number())
       throw InputError(parameters.where(section + "/Spline spans") +
                        ": found " + std::to_string(n_spans_of_harmonics()) +

@@ -82,29 +82,45 @@ namespace asperity
       -(foot.rx * projection.normal[0] + foot.ry * projection.normal[1] +
         foot.rz * projection.normal[2]);
 
-    // With tangents T = (1, 0, s_x), (0, 1, s_y), metric G and second
-    // fundamental form B = n_z Hess s, moving the point by dP moves the foot by
-    // (G - d B)^-1 T^T dP and turns the normal by -T G^-1 B times that.
-    const SymmetricTensor<2, 2> B = nz * jet.hessian;
-    SymmetricTensor<2, 2>       G, M;
-    for (unsigned int a = 0; a < 2; ++a)
-      for (unsigned int b = a; b < 2; ++b)
-        G[a][b] = (a == b ? 1. : 0.) + jet.gradient[a] * jet.gradient[b];
-    M = G - projection.distance * B;
-    const Tensor<2, 2> turn =
-      -1. * Tensor<2, 2>(invert(G)) * Tensor<2, 2>(B) * Tensor<2, 2>(invert(M));
-    const double T[2][3] = {{1., 0., jet.gradient[0]},
-                            {0., 1., jet.gradient[1]}};
-    for (unsigned int i = 0; i < 3; ++i)
-      for (unsigned int k = i; k < 3; ++k)
-        {
-          double sum = 0.;
-          for (unsigned int a = 0; a < 2; ++a)
-            for (unsigned int b = 0; b < 2; ++b)
-              sum += T[a][i] * turn[a][b] * T[b][k];
-          projection.normal_gradient[i][k] = sum;
-        }
+    // The second fundamental form B = n_z Hess s of the tangents (1, 0, s_x)
+    // and (0, 1, s_y), in the orthonormal ones a and b that these make.
+    const double along  = std::sqrt(1. + jet.gradient[0] * jet.gradient[0]);
+    const double across = std::sqrt(metric) / along;
+    const double mixed  = jet.gradient[0] * jet.gradient[1] / along;
+    Tensor<1, 3> a, b;
+    a[0] = 1. / along;
+    a[2] = jet.gradient[0] / along;
+    b[1] = 1.;
+    b[2] = jet.gradient[1];
+    b    = (b - mixed * a) / across;
+    Tensor<2, 2> to_orthonormal;
+    to_orthonormal[0][0] = 1. / along;
+    to_orthonormal[1][0] = -mixed / (along * across);
+    to_orthonormal[1][1] = 1. / across;
+    const SymmetricTensor<2, 2> bend =
+      symmetrize(to_orthonormal * Tensor<2, 2>(nz * jet.hessian) *
+                 transpose(to_orthonormal));
+    const auto principal =
+      eigenvectors(bend, dealii::SymmetricTensorEigenvectorMethod::jacobi);
+    for (unsigned int k = 0; k < 2; ++k)
+      {
+        projection.curvature[k] = principal[k].first;
+        projection.direction[k] =
+          principal[k].second[0] * a + principal[k].second[1] * b;
+      }
     return projection;
+  }
+
+
+
+  SymmetricTensor<2, 3>
+  SheetProjection::normal_gradient() const
+  {
+    SymmetricTensor<2, 3> gradient;
+    for (unsigned int k = 0; k < 2; ++k)
+      gradient += -curvature[k] / (1. - curvature[k] * distance) *
+                  symmetrize(outer_product(direction[k], direction[k]));
+    return gradient;
   }
 
 

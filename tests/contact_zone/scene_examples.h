@@ -32,11 +32,13 @@ namespace asperity
   }
 
   /** A scene and its run, from the start to the end. */
-  struct CompleteRun
+  template <int dim>
+  struct CompleteRunIn
   {
-    explicit CompleteRun(
-      const SceneParameters      &scene_parameters,
-      const SlidingRun<2>::Observer &observer = [](const SlidingRun<2> &) {})
+    explicit CompleteRunIn(
+      const SceneParameters                    &scene_parameters,
+      const typename SlidingRun<dim>::Observer &observer =
+        [](const SlidingRun<dim> &) {})
       : parameters(scene_parameters)
       , scene(parameters)
       , run(parameters, scene)
@@ -58,9 +60,11 @@ namespace asperity
     }
 
     const SceneParameters parameters;
-    Scene<2>                 scene;
-    SlidingRun<2>            run;
+    Scene<dim>            scene;
+    SlidingRun<dim>       run;
   };
+
+  using CompleteRun = CompleteRunIn<2>;
 } // namespace asperity
 
 #endif

@@ -112,7 +112,9 @@ namespace
                     warm_oil  = {{"Heat/Model", "conducting"},
                                  {"Lubrication/Model", "pocket"},
                                  {"Heat/Tool temperature", "100 degC"}},
-                    cold      = {{"Heat/Model", "isothermal"}};
+                    cold      = {{"Heat/Model", "isothermal"}},
+                    patch     = {{"Geometry/Dimension", "3"},
+                                 {"Chip surface/Kind", "harmonics"}};
 } // namespace
 
 TEST(UnusedEntries, have_no_influence_on_the_forces)
@@ -140,6 +142,7 @@ TEST(UnusedEntries, of_every_subsection_are_used_somewhere)
     elastic,
     two_waves,
     warm_oil,
+    patch,
     {{"Mesh/Adaptive levels", "1"}},
     {{"Lubrication/Model", "Navier-Stokes"},
      {"Flow/Mesh update", "elastic"},

@@ -2,7 +2,7 @@
 #define asperity_contact_sheet_obstacle_h
 
 #include <asperity/contact/rigid_obstacle.h>
-#include <asperity/splines/spline_sheet.h>
+#include <asperity/splines/closest_point_on_sheet.h>
 
 namespace asperity
 {
@@ -17,7 +17,7 @@ namespace asperity
     gap(const dealii::Point<3> &x, dealii::Point<2> &hint) const override;
 
   private:
-    SplineSheet sheet;
+    ClosestPointOnSheet search;
   };
 } // namespace asperity
 

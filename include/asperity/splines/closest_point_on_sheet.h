@@ -7,6 +7,7 @@
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
 
+#include <array>
 #include <memory>
 
 namespace asperity
@@ -34,12 +35,17 @@ namespace asperity
      *  of the sheet to the free side. */
     dealii::Tensor<1, 3> normal;
 
+    /** Principal directions t of the sheet, of unit length, and its curvatures
+     *  k along them [1/m], positive where it bends to the free side (valley).
+     */
+    std::array<dealii::Tensor<1, 3>, 2> direction;
+    std::array<double, 2>               curvature{};
+
     /** Gradient of `normal` with respect to the given point [1/m], the sum of
-     *  -k/(1 - k distance) t t^T over the principal directions t of the sheet,
-     *  with curvatures k positive where it bends to the free side (valley);
-     *  zero along the normal. Infinite where the closest point is about to
-     *  split in two. */
-    dealii::SymmetricTensor<2, 3> normal_gradient;
+     *  -k/(1 - k distance) t t^T; zero along the normal. Infinite where the
+     *  closest point is about to split in two. */
+    dealii::SymmetricTensor<2, 3>
+    normal_gradient() const;
 
     unsigned int iterations = 0;
 

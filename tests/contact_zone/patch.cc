@@ -1,0 +1,162 @@
+#include <asperity/base/errors.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scene_examples.h"
+
+using namespace asperity;
+
+// Scenes in three dimensions. Expected values are the plane, balances and
+// symmetries.
+
+namespace
+{
+  using PatchRun = CompleteRunIn<3>;
+
+  /** R0 on a very coarse mesh, as long across as three of its columns. */
+  SceneParameters
+  narrow_scene()
+  {
+    SceneParameters parameters     = coarse_scene();
+    parameters.mesh.spans          = 16;
+    parameters.protocol.ramp_steps = 3, parameters.protocol.slide_steps = 4;
+    parameters.solver.tolerance   = 1e-9;
+    parameters.geometry.dimension = 3;
+    parameters.geometry.width     = 3. / 8. * parameters.geometry.length;
+    return parameters;
+  }
+
+  /** Waves along and across, whose ridges are oblique.
+   *  @param sense of their slope, 1 or -1 */
+  SceneParameters
+  oblique_scene(const double sense)
+  {
+    SceneParameters parameters   = narrow_scene();
+    parameters.tool.wave_numbers = {2., 1.};
+    parameters.tool.across       = {sense, -2. * sense};
+    parameters.tool.amplitudes   = {0.15e-6, 0.05e-6};
+    parameters.tool.phases       = {0.3, 1.};
+    return parameters;
+  }
+
+  void
+  expect_balance(const PatchRun &run)
+  {
+    for (const FrictionRow &row : run.rows())
+      EXPECT_NEAR(row.T_y,
+                  -run.run.protocol().pressure(row.time) * run.scene.length,
+                  1e-7 * run.load())
+        << "step " << row.step;
+  }
+} // namespace
+
+
+
+// A tool that is extruded across the motion is in plane strain.
+TEST(Patch, extruded_tool_has_the_friction_of_the_plane)
+{
+  for (const auto formulation :
+       {ContactFormulation::mortar, ContactFormulation::gauss_point})
+    for (const auto law : {InterfaceShear::none, InterfaceShear::coulomb})
+      {
+        SceneParameters parameters                = narrow_scene();
+        parameters.contact.formulation            = formulation;
+        parameters.interface.law                  = law;
+        parameters.interface.friction_coefficient = 0.1;
+        parameters.heat.model                     = HeatModel::adiabatic;
+        const PatchRun patch(parameters);
+        parameters.geometry.dimension = 2;
+        const CompleteRun plane(parameters);
+        ASSERT_EQ(patch.rows().size(), plane.rows().size());
+        for (std::size_t i = 1; i < plane.rows().size(); ++i)
+          {
+            const FrictionRow &a = patch.rows()[i], &b = plane.rows()[i];
+            EXPECT_NEAR(a.mu, b.mu, 1e-6 * std::abs(b.mu)) << "step " << i;
+            EXPECT_NEAR(a.T_transverse, 0., 1e-6 * plane.load());
+            EXPECT_NEAR(a.contact_fraction, b.contact_fraction, 1e-6);
+            EXPECT_NEAR(a.max_contact_pressure,
+                        b.max_contact_pressure,
+                        1e-6 * b.max_contact_pressure);
+            EXPECT_NEAR(a.touching_length,
+                        b.touching_length,
+                        1e-6 * b.touching_length);
+            EXPECT_NEAR(a.max_plastic_strain,
+                        b.max_plastic_strain,
+                        1e-5 * b.max_plastic_strain);
+            EXPECT_NEAR(a.max_temperature, b.max_temperature, 1e-4);
+            EXPECT_NEAR(a.mean_gap, b.mean_gap, 1e-6 * b.mean_gap);
+          }
+        EXPECT_GT(plane.run.friction().mu, 0.01);
+      }
+}
+
+
+
+// Finer elements across find the same, with the levels that they bring.
+TEST(Patch, extruded_tool_stays_in_plane_strain_on_finer_elements_across)
+{
+  SceneParameters parameters = narrow_scene();
+  parameters.mesh.across     = 10;
+  const PatchRun patch(parameters);
+  parameters.geometry.dimension = 2;
+  const CompleteRun plane(parameters);
+  EXPECT_NEAR(patch.run.friction().mu,
+              plane.run.friction().mu,
+              1e-6 * plane.run.friction().mu);
+}
+
+
+
+TEST(Patch, mirrored_tool_pushes_to_the_other_side)
+{
+  const PatchRun left(oblique_scene(1.)), right(oblique_scene(-1.));
+  expect_balance(left);
+  const FrictionResult a = left.run.friction(), b = right.run.friction();
+  EXPECT_GT(a.mu, 0.005);
+  EXPECT_NEAR(a.mu, b.mu, 1e-6 * a.mu);
+  EXPECT_GT(std::abs(a.transverse), 0.01 * a.mu);
+  EXPECT_NEAR(a.transverse, -b.transverse, 1e-5 * a.mu);
+  EXPECT_NEAR(a.contact_fraction, b.contact_fraction, 1e-9);
+}
+
+
+
+// A period across has no beginning.
+TEST(Patch, tool_that_is_moved_across_by_whole_elements_changes_nothing)
+{
+  SceneParameters parameters = oblique_scene(1.);
+  const PatchRun  here(parameters);
+  const double    part = 2. / 6.; // of the width, in elements
+  for (std::size_t k = 0; k < parameters.tool.phases.size(); ++k)
+    parameters.tool.phases[k] += 2. * M_PI * parameters.tool.across[k] * part;
+  const PatchRun there(parameters);
+  EXPECT_NEAR(here.run.friction().mu,
+              there.run.friction().mu,
+              1e-6 * here.run.friction().mu);
+  EXPECT_NEAR(here.run.friction().transverse,
+              there.run.friction().transverse,
+              1e-6 * here.run.friction().mu);
+}
+
+
+
+TEST(Patch, interface_with_the_shear_strength_of_the_chip_adds_its_share)
+{
+  SceneParameters parameters        = oblique_scene(1.);
+  parameters.interface.law          = InterfaceShear::shear_factor;
+  parameters.interface.shear_factor = 0.3;
+  const PatchRun run(parameters);
+  expect_balance(run);
+  const FrictionResult friction = run.run.friction();
+  const double         k        = run.scene.law->shear_limit(0., 0., 298.15);
+  EXPECT_GT(friction.interface_shear, 0.);
+  // at least m k at the strength before hardening, on what touches
+  EXPECT_GT(friction.interface_shear,
+            0.9 * 0.3 * k * friction.contact_fraction /
+              parameters.load.pressure);
+  EXPECT_NEAR(friction.mu,
+              friction.ploughing + friction.interface_shear,
+              1e-12);
+}
