@@ -388,4 +388,10 @@ namespace asperity
         1e-9 * protocol_.end_time())
       state_.time = protocol_.end_time();
   }
+
+
+
+  // Of the members that are defined here.
+  template class SlidingRun<2>;
+  template class SlidingRun<3>;
 } // namespace asperity

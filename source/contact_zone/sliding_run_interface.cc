@@ -115,4 +115,10 @@ namespace asperity
     row.pockets              = oil.n_pockets;
     row.coupling_iterations  = oil.coupling_iterations;
   }
+
+
+
+  // Of the members that are defined here.
+  template class SlidingRun<2>;
+  template class SlidingRun<3>;
 } // namespace asperity

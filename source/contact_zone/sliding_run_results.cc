@@ -279,4 +279,10 @@ namespace asperity
             force[dim - 1] / scene.width,
             dim == 3 ? force[1] / scene.width : 0.};
   }
+
+
+
+  // Of the members that are defined here.
+  template class SlidingRun<2>;
+  template class SlidingRun<3>;
 } // namespace asperity

@@ -60,7 +60,8 @@ TEST_F(NewScene, a_map_becomes_mu_with_two_commands)
   EXPECT_EQ(checked.status, 0) << checked.errors;
   // A blasted surface has hills, for which ridges stand; nothing else is wrong.
   const std::size_t warning = checked.output.find("Warning: ");
-  EXPECT_EQ(checked.output.find("Warning: Tool surface: it has no lay"),
+  EXPECT_EQ(checked.output.find(
+              "Warning: Tool surface: its texture aspect ratio"),
             warning)
     << checked.output;
   EXPECT_EQ(checked.output.find("Warning", warning + 1), std::string::npos)
@@ -80,6 +81,9 @@ TEST_F(NewScene, a_map_becomes_mu_with_two_commands)
   const double mu = std::stod(sliding.output.substr(at + 5));
   EXPECT_GT(mu, 0.03);
   EXPECT_LT(mu, 0.3);
+  const std::string summary = read("output/blasted_tool/summary.json");
+  for (const std::string key : {"\"Sal\": ", "\"Str\": 0."})
+    EXPECT_NE(summary.find(key), std::string::npos) << key;
 }
 
 TEST_F(NewScene, a_file_that_is_there_stays)

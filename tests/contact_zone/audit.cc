@@ -266,29 +266,41 @@ TEST(SceneAudit, warns_of_hills_as_ridges_and_of_waves_that_are_filtered_out)
     ASPERITY_SOURCE_DIR "/parameter_files/surfaces/polished_tool.x3p";
   topography.length = 20e-6;
   Scene<2> scene(parameters);
-  auto &map = scene.tool_surface.topography->map;
-  // sin(x) + hills * sin(y): slopes along and across are as hills to 1
-  const auto waves = [&map](const double hills) {
+  auto &report = *scene.tool_surface.topography;
+  auto &map    = report.map;
+  // sin(x) + h sin(y) has the autocorrelation (cos(x) + h^2 cos(y))/(1 + h^2).
+  const auto waves = [&](const double hills) {
     map.dx = map.dy = 0.5e-6;
     for (unsigned int j = 0; j < map.ny; ++j)
       for (unsigned int i = 0; i < map.nx; ++i)
         map(i, j) = 1e-7 * (std::sin(0.3 * i) + hills * std::sin(0.3 * j));
+    report.texture = areal_texture(map);
   };
   waves(0.1);
   topography.s_filter      = 4e-6; // 2.7 times three pixels
   const SceneAudit grooves = audit_scene(parameters, scene);
-  EXPECT_FALSE(warns(grooves, "no lay"));
+  EXPECT_FALSE(warns(grooves, "texture"));
   EXPECT_FALSE(warns(grooves, "S-filter"));
-  EXPECT_NEAR(number(grooves, "slope along the lay over slope across, Tool"),
-              0.1,
-              0.02);
+  // Along y it does not decay, along x where cos(x) = 0.192.
+  const double bound = std::acos(0.192) / 0.3 / (map.ny / 2);
+  EXPECT_NEAR(number(grooves, "texture aspect ratio Str, Tool"),
+              bound,
+              0.05 * bound);
   EXPECT_NEAR(number(grooves, "S-filter over three pixels, Tool"),
               4. / 1.5,
               1e-9);
   waves(0.9);
   topography.s_filter    = 10e-6;
   const SceneAudit hills = audit_scene(parameters, scene);
-  EXPECT_TRUE(warns(hills, "no lay (slopes along and across are as 0.9 to 1)"));
+  EXPECT_TRUE(warns(hills, "texture aspect ratio Str is 0.7"));
+  // slowest along y, where 1 + 0.81 cos(y) = 0.362, fastest near x = y, where
+  // cos(x) = 0.2
+  EXPECT_NEAR(number(hills, "texture aspect ratio Str, Tool"),
+              std::sqrt(2.) * std::acos(0.2) / std::acos(-0.638 / 0.81),
+              0.02);
+  report.texture = ArealTexture();
+  EXPECT_TRUE(warns(audit_scene(parameters, scene),
+                    "the map is too small to tell: Str is at most 1"));
   EXPECT_TRUE(warns(hills, "S-filter of 10 um leaves out waves"));
 }
 

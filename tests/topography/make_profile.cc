@@ -347,13 +347,24 @@ TEST(TopographyCommand, writes_report_profile_and_picture)
   testing::internal::CaptureStdout();
   EXPECT_EQ(topography_report(prm), 0);
   const auto screen = testing::internal::GetCapturedStdout();
-  for (const char *word : {"X3P", "ISO 25178-2", "ISO 4287", "L-filter", "Sq"})
+  for (const char *word : {"X3P",
+                           "ISO 25178-2",
+                           "ISO 4287",
+                           "L-filter",
+                           "Sq",
+                           "Sal",
+                           "Str                   at most 0.0"})
     EXPECT_NE(screen.find(word), std::string::npos) << word;
 
   const auto json = nlohmann::json::parse(read_bytes(folder + "/report.json"));
   EXPECT_EQ(json["surface"]["format"], "X3P");
   EXPECT_NEAR(json["profile"]["period"].get<double>(), 100e-6, 1e-12);
   EXPECT_GT(json["areal"]["Sq"].get<double>(), 0.2e-6);
+  // a sine of 10 um, whose ridges cross the map
+  const double Sal = std::acos(0.2) * 10e-6 / (2. * pi);
+  EXPECT_NEAR(json["areal"]["Sal"].get<double>(), Sal, 0.05 * Sal);
+  EXPECT_TRUE(json["areal"]["Str"].is_null());
+  EXPECT_LT(json["areal"]["Str_bound"].get<double>(), 0.1);
 
   const auto csv = read_bytes(folder + "/profile.csv");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 202);
