@@ -22,10 +22,10 @@ namespace asperity
                const unsigned int                   n_spans,
                const unsigned int                   degree)
     {
+      const SplineCurve curve =
+        interpolate_periodic_function(function, 0., period, n_spans, degree);
       std::vector<double> heights;
-      for (const auto &point :
-           interpolate_periodic_function(function, 0., period, n_spans, degree)
-             .control_points())
+      for (const auto &point : curve.control_points())
         heights.push_back(point[1]);
       return heights;
     }
