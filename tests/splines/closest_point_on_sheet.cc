@@ -10,26 +10,15 @@
 #include <random>
 #include <vector>
 
+#include "sheet_test_tools.h"
+
 using namespace asperity;
+using namespace asperity_test;
 using dealii::Point;
 using dealii::Tensor;
 
 namespace
 {
-  KnotVector
-  uneven_knots(const unsigned int  degree,
-               const unsigned int  n_spans,
-               const double        begin,
-               const unsigned long seed)
-  {
-    std::mt19937                           generator(seed);
-    std::uniform_real_distribution<double> uniform(0.8, 1.2);
-    std::vector<double>                    breakpoints = {begin};
-    for (unsigned int i = 0; i < n_spans; ++i)
-      breakpoints.push_back(breakpoints.back() + uniform(generator));
-    return KnotVector(degree, breakpoints, true);
-  }
-
   /** Random coefficients, as high as its largest slope asks for. */
   SplineSheet
   rough_sheet(const unsigned int  degree_x,
@@ -37,14 +26,9 @@ namespace
               const double        slope,
               const unsigned long seed)
   {
-    std::mt19937                           generator(seed);
-    std::uniform_real_distribution<double> uniform(-1., 1.);
-    std::vector<double>                    heights(63);
-    for (double &height : heights)
-      height = uniform(generator);
     const SplineSheet sheet({{uneven_knots(degree_x, 9, -0.3, seed + 1),
                               uneven_knots(degree_y, 7, 2., seed + 2)}},
-                            heights);
+                            random_numbers(63, seed));
     return sheet.mapped(slope / sheet.largest_slope(), 0.);
   }
 
@@ -189,13 +173,8 @@ TEST(ClosestPointOnSheet, is_as_near_as_the_nearest_of_all_samples)
 
 TEST(ClosestPointOnSheet, is_that_of_the_curve_it_is_extruded_from)
 {
-  std::mt19937                           generator(4);
-  std::uniform_real_distribution<double> uniform(-1., 1.);
-  std::vector<double>                    heights(12);
-  for (double &height : heights)
-    height = uniform(generator);
   const SplineCurve curve =
-    SplineCurve::graph(uneven_knots(3, 12, 0., 7), heights);
+    SplineCurve::graph(uneven_knots(3, 12, 0., 7), random_numbers(12));
   const ClosestPoint        on_curve(curve);
   const SplineSheet         sheet = extrude(curve, 4., 5);
   const ClosestPointOnSheet on_sheet(sheet);
@@ -351,14 +330,11 @@ TEST(ClosestPointOnSheet, keeps_to_a_plane_and_to_points_of_the_sheet)
 TEST(ClosestPointOnSheet, chooses_between_equally_close_points)
 {
   // Over the middle of a hill, and of a ridge, two or four places are closest.
-  PeriodicHeights data;
-  data.n      = {{16, 16}};
-  data.period = {{1., 1.}};
-  for (unsigned int j = 0; j < 16; ++j)
-    for (unsigned int i = 0; i < 16; ++i)
-      data.heights.push_back(0.2 * std::cos(2. * M_PI * i / 16.) *
-                             std::cos(2. * M_PI * j / 16.));
-  const SplineSheet         sheet = interpolate_periodic_sheet(data, 3).sheet;
+  const auto hills = [](const double x, const double y) {
+    return 0.2 * std::cos(2. * M_PI * x) * std::cos(2. * M_PI * y);
+  };
+  const SplineSheet sheet =
+    interpolate_periodic_sheet(sampled(hills, {{16, 16}}, {{1., 1.}}), 3).sheet;
   const ClosestPointOnSheet closest(sheet);
   const BruteForce          brute_force(sheet);
   for (const double z : {-0.6, -0.2, 0., 0.2, 0.25, 0.6})
