@@ -1,6 +1,4 @@
 #include <asperity/base/errors.h>
-#include <asperity/splines/banded_solver.h>
-#include <asperity/splines/knot_vector.h>
 #include <asperity/topography/periodic_continuation.h>
 
 #include <algorithm>
@@ -84,20 +82,6 @@ namespace asperity
       return t <= 0. ? 0. : t * t * (3. - 2. * t);
     }
 
-    /** The functions of a basis that live at a position, and their values. */
-    struct LocalBasis
-    {
-      LocalBasis(const KnotVector &knots, const double t)
-      {
-        const unsigned int span = knots.find_span(t);
-        functions               = knots.span_functions(span);
-        values                  = knots.evaluate(span, t)[0];
-      }
-
-      std::vector<unsigned int> functions;
-      std::vector<double>       values;
-    };
-
     /** One knot a unit of length, so that the spline repeats after @p m. */
     KnotVector
     uniform_knots(const unsigned int degree, const unsigned int m)
@@ -105,6 +89,19 @@ namespace asperity
       std::vector<double> breakpoints(m + 1);
       std::iota(breakpoints.begin(), breakpoints.end(), 0.);
       return KnotVector(degree, breakpoints, true);
+    }
+
+    KnotVector
+    wrapped_knots(const std::size_t n, const WrappedSplineOptions &options)
+    {
+      const auto m = static_cast<unsigned int>(
+        std::max(2. * options.degree + 1., n / options.samples_per_knot));
+      if (m > n)
+        throw InputError("A wrapped spline of degree " +
+                         std::to_string(options.degree) + " needs at least " +
+                         std::to_string(m) + " samples, and the profile has " +
+                         std::to_string(n) + ".");
+      return uniform_knots(options.degree, m);
     }
 
     /** Second differences of neighbouring coefficients, squared. */
@@ -135,67 +132,22 @@ namespace asperity
         }
     }
 
-    /** Coefficients of the penalised least-squares spline. */
-    std::vector<double>
-    fit(const KnotVector          &knots,
-        const std::vector<double> &z,
-        const double               blend)
-    {
-      const unsigned int  m = knots.n_basis();
-      const std::size_t   n = z.size();
-      BandedSolver        matrix(m, std::max(2u, knots.degree()), true);
-      std::vector<double> rhs(m, 0.);
-      for (std::size_t i = 0; i < n; ++i)
-        {
-          const double     weight = sample_weight(i, n, blend);
-          const LocalBasis basis(knots, static_cast<double>(i) * m / n);
-          for (unsigned int a = 0; a <= knots.degree(); ++a)
-            {
-              rhs[basis.functions[a]] += weight * basis.values[a] * z[i];
-              for (unsigned int b = 0; b <= knots.degree(); ++b)
-                matrix.add(basis.functions[a],
-                           basis.functions[b],
-                           weight * basis.values[a] * basis.values[b]);
-            }
-        }
-      add_bending(knots, n, blend, matrix);
-      if (!matrix.factorize())
-        throw ComputationError("The wrapped spline of the profile is not "
-                               "determined by its " +
-                               std::to_string(n) + " samples.");
-      matrix.solve(rhs);
-      return rhs;
-    }
-
     Profile
     wrap(const Profile              &profile,
          const WrappedSplineOptions &options,
          ContinuationReport         &report)
     {
-      const std::size_t n = profile.heights.size();
-      report.n_knots      = static_cast<unsigned int>(
-        std::max(2. * options.degree + 1., n / options.samples_per_knot));
-      if (report.n_knots > n)
-        throw InputError(
-          "A wrapped spline of degree " + std::to_string(options.degree) +
-          " needs at least " + std::to_string(report.n_knots) +
-          " samples, and the profile has " + std::to_string(n) + ".");
-      const KnotVector knots = uniform_knots(options.degree, report.n_knots);
-      const std::vector<double> coefficients =
-        fit(knots, profile.heights, options.blend_fraction);
+      const std::size_t   n = profile.heights.size();
+      const WrappedSpline spline(n, options);
+      report.n_knots = spline.n_knots();
 
       Profile     result = profile;
       std::size_t n_data = 0;
       result.periodic    = true;
+      result.heights     = spline.values(spline.coefficients(profile.heights));
       for (std::size_t i = 0; i < n; ++i)
         {
-          const LocalBasis basis(knots,
-                                 static_cast<double>(i) * report.n_knots / n);
-          result.heights[i] = 0.;
-          for (unsigned int a = 0; a <= options.degree; ++a)
-            result.heights[i] +=
-              basis.values[a] * coefficients[basis.functions[a]];
-          if (sample_weight(i, n, options.blend_fraction) < 1.)
+          if (spline.is_blended(i))
             continue;
           const double change =
             std::abs(result.heights[i] - profile.heights[i]);
@@ -208,6 +160,67 @@ namespace asperity
       return result;
     }
   } // namespace
+
+  WrappedSpline::WrappedSpline(const std::size_t           n_samples,
+                               const WrappedSplineOptions &options)
+    : knots(wrapped_knots(n_samples, options))
+    , matrix(knots.n_basis(), std::max(2u, knots.degree()), true)
+  {
+    const unsigned int m = knots.n_basis();
+    for (std::size_t i = 0; i < n_samples; ++i)
+      {
+        weights.push_back(sample_weight(i, n_samples, options.blend_fraction));
+        const double       t    = static_cast<double>(i) * m / n_samples;
+        const unsigned int span = knots.find_span(t);
+        bases.push_back(
+          {knots.span_functions(span), knots.evaluate(span, t)[0]});
+        const LocalBasis &basis = bases.back();
+        for (unsigned int a = 0; a <= knots.degree(); ++a)
+          for (unsigned int b = 0; b <= knots.degree(); ++b)
+            matrix.add(basis.functions[a],
+                       basis.functions[b],
+                       weights[i] * basis.values[a] * basis.values[b]);
+      }
+    add_bending(knots, n_samples, options.blend_fraction, matrix);
+    if (!matrix.factorize())
+      throw ComputationError("The wrapped spline of the profile is not "
+                             "determined by its " +
+                             std::to_string(n_samples) + " samples.");
+  }
+
+  unsigned int
+  WrappedSpline::n_knots() const
+  {
+    return knots.n_basis();
+  }
+
+  std::vector<double>
+  WrappedSpline::coefficients(const std::vector<double> &heights) const
+  {
+    std::vector<double> rhs(knots.n_basis(), 0.);
+    for (std::size_t i = 0; i < bases.size(); ++i)
+      for (unsigned int a = 0; a <= knots.degree(); ++a)
+        rhs[bases[i].functions[a]] +=
+          weights[i] * bases[i].values[a] * heights[i];
+    matrix.solve(rhs);
+    return rhs;
+  }
+
+  std::vector<double>
+  WrappedSpline::values(const std::vector<double> &coefficients) const
+  {
+    std::vector<double> result(bases.size());
+    for (std::size_t i = 0; i < bases.size(); ++i)
+      for (unsigned int a = 0; a <= knots.degree(); ++a)
+        result[i] += bases[i].values[a] * coefficients[bases[i].functions[a]];
+    return result;
+  }
+
+  bool
+  WrappedSpline::is_blended(const std::size_t sample) const
+  {
+    return weights[sample] < 1.;
+  }
 
   Profile
   make_periodic(const Profile              &profile,

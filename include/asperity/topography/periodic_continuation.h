@@ -1,6 +1,8 @@
 #ifndef asperity_topography_periodic_continuation_h
 #define asperity_topography_periodic_continuation_h
 
+#include <asperity/splines/banded_solver.h>
+#include <asperity/splines/knot_vector.h>
 #include <asperity/topography/profile.h>
 
 #include <vector>
@@ -30,6 +32,49 @@ namespace asperity
      * samples count alike.
      */
     double blend_fraction = 0.05;
+  };
+
+  /**
+   * The periodic spline with uniform knots that is fitted to equidistant
+   * heights of one period, whose weights fall to zero at both ends; there
+   * second differences of the coefficients (P-splines, Eilers and Marx 1996)
+   * define it.
+   */
+  class WrappedSpline
+  {
+  public:
+    /** @throws InputError if there are fewer samples than knots */
+    WrappedSpline(const std::size_t           n_samples,
+                  const WrappedSplineOptions &options);
+
+    unsigned int
+    n_knots() const;
+
+    /** One coefficient a knot, in the order of KnotVector; sample i stands at
+     *  the fraction i/n_samples of the period. */
+    std::vector<double>
+    coefficients(const std::vector<double> &heights) const;
+
+    /** The spline at the samples. */
+    std::vector<double>
+    values(const std::vector<double> &coefficients) const;
+
+    /** A sample that counts less than others, or not at all. */
+    bool
+    is_blended(const std::size_t sample) const;
+
+  private:
+    /** The functions of the basis that live at a sample, and their values. */
+    struct LocalBasis
+    {
+      std::vector<unsigned int> functions;
+      std::vector<double>       values;
+    };
+
+    KnotVector              knots;
+    std::vector<double>     weights; // one a sample
+    std::vector<LocalBasis> bases;   // one a sample
+    BandedSolver            matrix;
   };
 
   /**
@@ -65,10 +110,8 @@ namespace asperity
   /**
    * Make a profile without missing points periodic.
    *
-   * wrapped_spline: the least-squares line is removed, and a periodic spline
-   * with uniform knots is fitted to the samples, whose weights fall to zero at
-   * the ends; there second differences of the coefficients (P-splines, Eilers
-   * and Marx 1996) define it. The period is n*spacing, sampled as before.
+   * wrapped_spline: the least-squares line is removed, and the WrappedSpline
+   * is fitted. The period is n*spacing, sampled as before.
    *
    * mirror: the profile and its mirror image; heights are exact, the period is
    * 2(n-1) spacings, and the slope has kinks at both ends.
