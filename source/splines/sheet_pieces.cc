@@ -92,7 +92,6 @@ namespace asperity
   void
   SheetBending::include(const SheetBending &other)
   {
-    // Starts from a plane: what follows from bending is only of one sign.
     least    = std::min(least, other.least);
     greatest = std::max(greatest, other.greatest);
     change   = std::max(change, other.change);

@@ -15,6 +15,7 @@ namespace asperity
     double greatest = 0.; ///< of the Hessian's eigenvalues [1/m]
     double change   = 0.; ///< |H(a) - H(b)| <= change |a - b| [1/m^2]
 
+    /** The bounds of both; of a plane to begin with. */
     void
     include(const SheetBending &other);
   };
