@@ -70,6 +70,18 @@ namespace asperity
       fail("a mesh that changes", "Mesh/Adaptive levels = 0");
     if (p.accuracy.is_wanted())
       fail("an estimate of the error of mu", "Accuracy/Control = off");
+    if (p.tool.kind == SurfaceKind::measured && p.tool.topography.length == 0.)
+      throw InputError(parameters.where("Tool/Topography/Profile length") +
+                       ": found 0 um in three dimensions; expected the length "
+                       "of the window along the motion, since a patch of all "
+                       "of a map would be too large.");
+    if (p.tool.kind == SurfaceKind::measured &&
+        p.tool.topography.direction != 0.)
+      throw InputError(parameters.where("Tool/Topography/Profile direction") +
+                       ": found " +
+                       format_quantity(p.tool.topography.direction, "deg") +
+                       " in three dimensions; expected 0, along the rows of "
+                       "the map.");
     if (p.chip.kind == SurfaceKind::measured)
       fail("a measured chip", "Chip surface/Kind = flat or harmonics");
     check_mesh(p.mesh, parameters);

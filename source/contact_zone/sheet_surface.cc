@@ -1,6 +1,7 @@
 #include <asperity/base/errors.h>
 #include <asperity/contact_zone/sheet_surface.h>
 #include <asperity/splines/spline_fit.h>
+#include <asperity/topography/make_window.h>
 
 #include <algorithm>
 #include <cmath>
@@ -104,11 +105,33 @@ namespace asperity
       return surface;
     }
 
+    /** A window of the map: as long as `Profile length`, or all of it, and as
+     *  wide as `Geometry/Width`, or as it is long.
+     *  @param width of the patch, if it is given [m] */
+    SheetSurface
+    make_measured_sheet(const SurfaceParameters     &parameters,
+                        const std::optional<double> &width)
+    {
+      const TopographyParameters &topography = parameters.topography;
+      SheetSurface                surface;
+      TopographyReport           &report = surface.topography.emplace();
+      WindowChoice                choice;
+      choice.extent[0] = topography.length;
+      choice.extent[1] =
+        width ? *width / topography.scale_x : topography.length;
+      WindowReport window;
+      surface.sheet   = make_window(topography, choice, report, window);
+      surface.fit_rms = window.fit_rms;
+      surface.description =
+        "window of " + topography.file + ", " +
+        std::to_string(surface.sheet.knot_vector(0).n_spans()) + " x " +
+        std::to_string(surface.sheet.knot_vector(1).n_spans()) + " spans";
+      return surface;
+    }
+
     SheetSurface
     make_sheet(const SurfaceParameters &parameters, const Periods &periods)
     {
-      if (parameters.kind == SurfaceKind::measured)
-        throw InputError("A patch of a measured surface is not made yet.");
       return parameters.kind == SurfaceKind::harmonics ?
                make_harmonic_sheet(parameters, periods) :
                make_flat_sheet(periods, parameters.degree);
@@ -131,7 +154,9 @@ namespace asperity
   {
     const Periods given = {
       {p.geometry.length, p.geometry.width.value_or(p.geometry.length)}};
-    const SheetSurface tool    = make_sheet(p.tool, given);
+    const SheetSurface tool    = p.tool.kind == SurfaceKind::measured ?
+                                   make_measured_sheet(p.tool, p.geometry.width) :
+                                   make_sheet(p.tool, given);
     const Periods      periods = {{tool.sheet.period(0), tool.sheet.period(1)}};
     return {tool, make_sheet(p.chip, periods)};
   }

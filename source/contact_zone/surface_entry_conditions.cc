@@ -14,6 +14,11 @@ namespace asperity
                [=](const SceneParameters &p) {
                  return (p.*surface).topography.crop == CropChoice::window;
                }},
+              {{map + "Profile position", map + "Profile start"},
+               "a profile, Geometry/Dimension = 2: a window is in the middle",
+               [](const SceneParameters &p) {
+                 return p.geometry.dimension == 2;
+               }},
               {{map + "Polynomial degree"},
                "F-operator = polynomial",
                [=](const SceneParameters &p) {
