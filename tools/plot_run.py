@@ -8,7 +8,9 @@ Writes into the output directory (or FOLDER)
   deformed_topography.png  the deformed chip coloured by equivalent plastic
                            strain, the tool, the oil coloured by its pressure, and
                            the contact force on the chip as arrows: the hardest
-                           contact and two periods
+                           contact and two periods; of a patch of the surface
+                           (Geometry/Dimension = 3) the chip's face in space and
+                           maps of its height and of the contact pressure
   oil_flow.png             if the oil fills the gap as a flow: its pressure, less
                            the mean, and its velocity; the height stretched
   friction.png             mu and contact fraction over time and sliding
@@ -39,6 +41,7 @@ try:
     import numpy as np
 
     from fluid_structure_pictures import TABLE, plot_fluid_structure
+    from patch_pictures import is_patch, plot_patch
     from run_output import (RunError, Vtu, part_at, read_friction, read_summary,
                             steps_of)
 except ImportError as error:
@@ -382,7 +385,9 @@ def main():
             print(*plot_fluid_structure(arguments.directory, arguments.step,
                                         folder, arguments.window), sep="\n")
             return 0
-        pictures = {"deformed_topography.png": plot_topography,
+        topography = (plot_patch if is_patch(arguments.directory)
+                      else plot_topography)
+        pictures = {"deformed_topography.png": topography,
                     "friction.png": plot_friction}
         if os.path.exists(os.path.join(arguments.directory, "oil.pvd")):
             pictures["oil_flow.png"] = plot_flow

@@ -25,7 +25,8 @@ class Vtu:
     def __init__(self, path):
         try:
             piece = xml.parse(path).getroot().find("UnstructuredGrid/Piece")
-            self.points = self._array(piece.find("Points/DataArray"))[:, :2]
+            self.in_space = self._array(piece.find("Points/DataArray"))
+            self.points = self.in_space[:, :2]
             cells = {a.get("Name"): self._array(a).ravel()
                      for a in piece.find("Cells")}
             self.fields = {a.get("Name"): self._array(a)

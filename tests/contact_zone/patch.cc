@@ -1,5 +1,7 @@
 #include <asperity/base/errors.h>
 
+#include <deal.II/base/parameter_handler.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -159,4 +161,98 @@ TEST(Patch, interface_with_the_shear_strength_of_the_chip_adds_its_share)
   EXPECT_NEAR(friction.mu,
               friction.ploughing + friction.interface_shear,
               1e-12);
+}
+
+
+
+namespace
+{
+  /** What is said against a scene of these lines in three dimensions. */
+  std::string
+  refusal(const std::string &lines)
+  {
+    dealii::ParameterHandler handler;
+    ParameterDeclarator      declarator(handler);
+    SceneParameters          parameters;
+    parameters.declare(declarator);
+    try
+      {
+        declarator.read_text("subsection Geometry\n set Dimension = 3\nend\n" +
+                               lines,
+                             "patch.prm");
+        parameters.check(declarator);
+        Scene<3> scene(parameters);
+      }
+    catch (const InputError &error)
+      {
+        return error.what();
+      }
+    return "nothing";
+  }
+
+  std::string
+  section(const std::string &name, const std::string &entry)
+  {
+    return "subsection " + name + "\n set " + entry + "\nend\n";
+  }
+
+  void
+  expect_said(const std::string &message, const std::string &part)
+  {
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  }
+} // namespace
+
+
+
+TEST(Patch, says_what_three_dimensions_do_not_have)
+{
+  expect_said(refusal(section("Lubrication", "Model = pocket")),
+              "found 3 with a lubricant; expected 2, or Lubrication/Model = "
+              "none.");
+  expect_said(refusal(section("Heat", "Model = conducting")),
+              "found 3 with heat that is conducted");
+  expect_said(refusal(section("Mesh", "Adaptive levels = 1")),
+              "found 3 with a mesh that changes");
+  expect_said(refusal(section("Accuracy", "Control = estimate")),
+              "found 3 with an estimate of the error of mu");
+}
+
+
+
+TEST(Patch, says_which_entries_do_not_make_a_patch)
+{
+  expect_said(
+    refusal(section("Mesh", "Spans across = 20")),
+    "Mesh/Spans across': found 20 with 3 refinement levels; expected a "
+    "multiple of 8 of at least 24");
+  expect_said(refusal(section("Mesh", "Spans across = 16")),
+              "found 16 with 3 refinement levels");
+  expect_said(refusal(section("Tool", "Wave numbers across = 1, 2")),
+              "Tool/Wave numbers across': found 2 values; expected 4");
+  expect_said(refusal(section("Tool", "Wave numbers across = 1, 2, 0.5, 0")),
+              "found 0.5; expected whole numbers");
+  // The default mesh is that of a profile.
+  expect_said(refusal(""), "elements; expected at most 30000");
+}
+
+
+
+TEST(Patch, window_of_a_map_has_to_be_chosen_and_to_be_in_it)
+{
+  const std::string map =
+    "subsection Tool\n set Kind = measured\n subsection Topography\n set File "
+    "= " ASPERITY_SOURCE_DIR "/parameter_files/surfaces/blasted_tool.x3p\n";
+  expect_said(refusal(map + "end\nend\n"),
+              "Profile length': found 0 um in three dimensions; expected the "
+              "length of the window");
+  expect_said(
+    refusal(
+      map +
+      "set Profile length = 5 um\nset Profile direction = 30 deg\nend\nend"
+      "\n"),
+    "Profile direction': found 30 deg in three dimensions; expected 0");
+  const std::string larger =
+    refusal(map + "set Profile length = 5000 um\nend\nend\n");
+  expect_said(larger, "5000 um");
 }

@@ -1,0 +1,95 @@
+"""Pictures of a run in three dimensions: the face of the chip under the tool."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.collections import PolyCollection
+from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+
+from run_output import part_at, read_summary, steps_of
+
+UM = 1e6  # micrometres a metre
+MPA = 1e-6
+PRESSURE = "contact pressure [Pa]"
+STRETCH = 3.  # of heights in space, so that the asperities are seen
+
+
+def is_patch(directory):
+    """Whether a run has a width, as summary.json says at its end."""
+    return "width" in read_summary(directory).get("surfaces", {})
+
+
+class Face:
+    """The contact face at a step: corners of its squares [um], mean pressure
+    [MPa] and mean height [um] of each."""
+
+    def __init__(self, directory, step):
+        if step is None:
+            step = max(steps_of(directory, "contact"))
+        self.time = steps_of(directory, "contact")[step][0]
+        picture = part_at(directory, "contact", step)
+        # VTK's order of corners, around the square.
+        self.corners = picture.in_space[picture.cells] * UM
+        self.pressure = (picture.field(PRESSURE) * MPA)[picture.cells].mean(axis=1)
+        self.corners[..., 2] -= self.corners[..., 2].mean()
+        self.height = self.corners[..., 2].mean(axis=1)
+
+
+def draw_map(figure, axes, face, values, label, colours, limit=None):
+    low = values.min() if limit is None else 0.
+    squares = PolyCollection(face.corners[..., :2], array=values, cmap=colours,
+                             edgecolors="face", linewidths=0.2)
+    squares.set_clim(low, values.max() if limit is None else limit)
+    axes.add_collection(squares)
+    axes.autoscale()
+    axes.set_aspect("equal")
+    axes.set_xlabel("x [µm]")
+    axes.set_ylabel("y [µm]")
+    figure.colorbar(squares, ax=axes, shrink=0.8).set_label(label)
+
+
+def draw_in_space(axes, face, limit):
+    corners = face.corners.copy()
+    corners[..., 2] *= STRETCH
+    colours = plt.get_cmap("magma_r")(np.clip(face.pressure / limit, 0., 1.))
+    # Free squares keep a light grey, so that the relief is seen.
+    light = 0.75 + 0.2 * (face.height - face.height.min()) / max(
+        np.ptp(face.height), 1e-12)
+    free = face.pressure <= 0.
+    colours[free, :3] = light[free, None]
+    axes.add_collection3d(Poly3DCollection(corners, facecolors=colours,
+                                           edgecolors="none"))
+    spans = []
+    for i, set_limits in enumerate((axes.set_xlim, axes.set_ylim, axes.set_zlim)):
+        low, high = corners[..., i].min(), corners[..., i].max()
+        spans.append(max(high - low, 1e-3))
+        set_limits(low, low + spans[-1])
+    axes.set_box_aspect(spans)
+    axes.view_init(elev=35., azim=-60.)
+    axes.set_xlabel("x [µm]")
+    axes.set_ylabel("y [µm]")
+    axes.set_zticks([])
+    axes.set_title(f"Face of the chip, heights {STRETCH:.3g} times, coloured where "
+                   "the tool presses", fontsize=10)
+
+
+def plot_patch(directory, step, target):
+    """The chip's face in space, and maps of its height and pressure."""
+    face = Face(directory, step)
+    touching = face.pressure[face.pressure > 0.]
+    # A few hard points would else lighten all the rest.
+    limit = np.quantile(touching, 0.99) if touching.size else 1.
+    figure = plt.figure(figsize=(11., 9.), constrained_layout=True)
+    grid = figure.add_gridspec(2, 2, height_ratios=(1.3, 1.))
+    draw_in_space(figure.add_subplot(grid[0, :], projection="3d"), face, limit)
+    draw_map(figure, figure.add_subplot(grid[1, 0]), face, face.pressure,
+             "contact pressure [MPa]", "magma_r", limit)
+    draw_map(figure, figure.add_subplot(grid[1, 1]), face, face.height,
+             "height of the chip [µm]", "viridis")
+    load = read_summary(directory).get("load", {})
+    title = f"t = {face.time * 1e6:.4g} µs"
+    if load:
+        title = (f"{load['pressure'] * MPA:.4g} MPa, "
+                 f"{load['velocity'] * 60:.4g} m/min, " + title)
+    figure.suptitle(title)
+    figure.savefig(target, dpi=110)
+    plt.close(figure)
