@@ -234,6 +234,26 @@ namespace asperity
         fail("a restart, though checkpoints hold no mesh",
              "Output/Restart = false");
     }
+
+    /** A chip near its melting temperature carries nothing. */
+    void
+    check_temperature(const SceneParameters     &p,
+                      const ParameterDeclarator &parameters)
+    {
+      const auto softening = p.material.softening();
+      if (softening &&
+          p.load.temperature >= softening->temperature_at(Softening::floor))
+        throw InputError(
+          parameters.where("Load/Temperature") + ": found " +
+          format_quantity(p.load.temperature, "degC") +
+          ", at which the chip has no strength; expected less than " +
+          format_quantity(softening->temperature_at(Softening::floor),
+                          "degC",
+                          6) +
+          ", near the melting temperature of " +
+          format_quantity(softening->melting_temperature, "degC") + " (" +
+          p.material.melting_entry() + ").");
+    }
   } // namespace
 
 
@@ -279,19 +299,7 @@ namespace asperity
                        "`; expected dynamic or automatic, since a chip that "
                        "floats on oil is held by its mass alone while the flow "
                        "is solved for.");
-    const auto softening = material.softening();
-    if (softening &&
-        load.temperature >= softening->temperature_at(Softening::floor))
-      throw InputError(
-        parameters.where("Load/Temperature") + ": found " +
-        format_quantity(load.temperature, "degC") +
-        ", at which the chip has no strength; expected less than " +
-        format_quantity(softening->temperature_at(Softening::floor),
-                        "degC",
-                        6) +
-        ", near the melting temperature of " +
-        format_quantity(softening->melting_temperature, "degC") + " (" +
-        material.melting_entry() + ").");
+    check_temperature(*this, parameters);
     if (chip.kind == SurfaceKind::harmonics &&
         mesh.spans < elements_per_wave * chip.highest_wave_number())
       throw InputError(

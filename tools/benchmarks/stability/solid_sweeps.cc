@@ -145,7 +145,7 @@ namespace
     }
 
     Body                              body;
-    ContactAssembler<2>                  contact;
+    ContactAssembler<2>               contact;
     dealii::AffineConstraints<double> constraints;
     std::unique_ptr<Equilibrium>      system;
     std::unique_ptr<Matrix>           mass;
