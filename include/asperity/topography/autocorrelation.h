@@ -36,14 +36,15 @@ namespace asperity
     Decay
     decay(const double direction) const;
 
-    /** Radius of the lags that are known in every direction and beyond [m]. */
+    /** Length of the longest lag, half of the map's diagonal [m]. */
     double
     longest_lag() const;
 
-    /** The spacing of lags [m], that of the pixels; the smaller of two. */
+    /** Of the lags [m]: that of the pixels, the smaller one of x and y. */
     double
     spacing() const;
 
+    /** Whether the map has one row. */
     bool
     is_profile() const
     {
