@@ -8,29 +8,15 @@
 #include <asperity/topography/read_height_map.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <tuple>
 
+#include "report_words.h"
 #include "treatment_warnings.h"
 
 namespace asperity
 {
   namespace
   {
-    std::string
-    micrometres(const double length)
-    {
-      return format_quantity(length, "um", 5);
-    }
-
-    std::string
-    percent(const double fraction)
-    {
-      char text[32];
-      std::snprintf(text, sizeof(text), "%.3g %%", 100. * fraction);
-      return text;
-    }
-
     /** Calls parse() and completes its half sentence with the entry's name. */
     template <typename Parse>
     double

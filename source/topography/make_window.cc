@@ -1,5 +1,4 @@
 #include <asperity/base/errors.h>
-#include <asperity/base/quantity.h>
 #include <asperity/base/text.h>
 #include <asperity/splines/grid_lines.h>
 #include <asperity/topography/make_window.h>
@@ -10,6 +9,8 @@
 #include <numeric>
 #include <string>
 #include <tuple>
+
+#include "report_words.h"
 
 namespace asperity
 {
@@ -22,16 +23,10 @@ namespace asperity
     constexpr unsigned int fewest_samples = 10;
 
     std::string
-    micrometres(const double length)
-    {
-      return format_quantity(length, "um", 5);
-    }
-
-    std::string
-    percent(const double fraction)
+    slope(const double value)
     {
       char text[32];
-      std::snprintf(text, sizeof(text), "%.3g %%", 100. * fraction);
+      std::snprintf(text, sizeof(text), "%.4g", value);
       return text;
     }
 
@@ -189,9 +184,13 @@ namespace asperity
 
     /** The tilt of the mean jumps, and the mean height. */
     void
-    remove_tilt(HeightMap &map, WindowReport &report)
+    remove_tilt(HeightMap         &map,
+                const Continuation continuation,
+                WindowReport      &report)
     {
-      for (unsigned int d = 0; d < 2; ++d)
+      for (unsigned int d = 0;
+           d < 2 && continuation == Continuation::wrapped_spline;
+           ++d)
         {
           const auto   all = jumps(map, d);
           const double mean =
@@ -341,8 +340,8 @@ namespace asperity
         std::to_string(w.window.column + w.window.nx - 1) + ", rows " +
         std::to_string(w.window.row) + " .. " +
         std::to_string(w.window.row + w.window.ny - 1) + ", " +
-        size_of(w.extent[0], w.extent[1]) + "; " + std::to_string(w.n_filled) +
-        " missing samples filled by straight lines.");
+        size_of(w.extent[0], w.extent[1]) + "; missing samples: " +
+        std::to_string(w.n_filled) + " filled by straight lines.");
       report.steps.push_back(
         "Periodic continuation in x and y: tilts removed " +
         percent(w.removed_tilt[0]) + " and " + percent(w.removed_tilt[1]) +
@@ -351,8 +350,8 @@ namespace asperity
         ", of y rms " + micrometres(w.rms_jump[1]) + ", largest " +
         micrometres(w.largest_jump[1]) + bridge(1) + "; Sq " +
         micrometres(w.Sq_before) + " -> " + micrometres(w.Sq_after) + " (" +
-        percent(Sq_change) + "), Sdq " + format_number(w.Sdq_before) + " -> " +
-        format_number(w.Sdq_after) + ", change of a sample rms " +
+        percent(Sq_change) + "), Sdq " + slope(w.Sdq_before) + " -> " +
+        slope(w.Sdq_after) + ", change of a sample rms " +
         micrometres(w.fit_rms) + ", largest " + micrometres(w.fit_max) + ".");
       if (std::abs(Sq_change) > 0.1)
         report.warnings.push_back(
@@ -387,7 +386,7 @@ namespace asperity
     HeightMap map                      = crop(report.map, window);
     window_report.n_filled = fill(map, parameters.largest_missing_fraction);
     meet_extent(map, choice, report);
-    remove_tilt(map, window_report);
+    remove_tilt(map, parameters.continuation, window_report);
     describe_seams(map, window_report);
     const WrappedFits         fits = make_fits(map, parameters, window_report);
     const std::vector<double> coefficients = fit(map, fits);

@@ -205,6 +205,23 @@ TEST(MakeWindow, bridges_the_seams_of_a_surface_that_does_not_repeat)
   EXPECT_LT(std::abs(across), 0.2e-6 * turned.sheet.largest_slope());
 }
 
+TEST(MakeWindow, takes_a_surface_as_periodic_if_told_so)
+{
+  // A sawtooth along x: its jump stays, but for what the spline smooths.
+  const auto sawtooth = [](const double x, const double) {
+    return 0.01 * (x - 60e-6) - 0.2e-6;
+  };
+  const auto result = window_of(large_map(sawtooth),
+                                part(40e-6, 30e-6),
+                                "set F-operator = none\n"
+                                "set Periodic continuation = none\n");
+  EXPECT_EQ(result.window.removed_tilt[0], 0.);
+  EXPECT_FALSE(result.window.bridged[0]);
+  EXPECT_NEAR(result.window.rms_jump[0], 0.4e-6, 1e-9);
+  EXPECT_NEAR(result.sheet.value(Point<2>(10e-6, 3e-6)), -0.1e-6, 3e-9);
+  EXPECT_NEAR(result.sheet.value(Point<2>(30e-6, 3e-6)), 0.1e-6, 3e-9);
+}
+
 TEST(MakeWindow, fills_few_gaps_and_scales)
 {
   HeightMap map     = large_map(waves);

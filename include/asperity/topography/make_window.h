@@ -65,11 +65,12 @@ namespace asperity
    * along y: its normal equations are the Kronecker product of those of the two
    * directions. A direction in which the window repeats already (no larger
    * steps across its seam than elsewhere), is not bridged: all its samples
-   * count. So do they if the continuation is `none`.
+   * count. So do they if the continuation is `none`, with which no tilt is
+   * removed either.
    *
    * @param report filled as by make_profile() as far as the map, its steps and
    *   warnings completed by those of the window
-   * @return heights [m] about their mean, one period from (0, 0) on
+   * @return heights [m] about the mean of the window, one period from (0, 0) on
    * @throws InputError if the file, one of the choices or the window is not
    *   usable
    */
