@@ -1,11 +1,13 @@
 """Pictures of a run in three dimensions: the face of the chip under the tool."""
 
+import os
+
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import PolyCollection
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
-from run_output import part_at, read_summary, steps_of
+from run_output import RunError, Vtu, heading, part_at, read_summary, steps_of
 
 UM = 1e6  # micrometres a metre
 MPA = 1e-6
@@ -14,8 +16,11 @@ STRETCH = 3.  # of heights in space, so that the asperities are seen
 
 
 def is_patch(directory):
-    """Whether a run has a width, as summary.json says at its end."""
-    return "width" in read_summary(directory).get("surfaces", {})
+    """Whether the contact is drawn as squares, not as a line."""
+    if not os.path.exists(os.path.join(directory, "contact.pvd")):
+        return False
+    steps = steps_of(directory, "contact")
+    return bool(steps) and Vtu(steps[max(steps)][1]).cells.shape[1] == 4
 
 
 class Face:
@@ -23,9 +28,12 @@ class Face:
     [MPa] and mean height [um] of each."""
 
     def __init__(self, directory, step):
-        if step is None:
-            step = max(steps_of(directory, "contact"))
-        self.time = steps_of(directory, "contact")[step][0]
+        steps = steps_of(directory, "contact")
+        step = max(steps) if step is None else step
+        if step not in steps:
+            raise RunError(f"There is no picture of step {step}; there are those "
+                           f"of {', '.join(map(str, sorted(steps)))}.")
+        self.time = steps[step][0]
         picture = part_at(directory, "contact", step)
         # VTK's order of corners, around the square.
         self.corners = picture.in_space[picture.cells] * UM
@@ -85,11 +93,7 @@ def plot_patch(directory, step, target):
              "contact pressure [MPa]", "magma_r", limit)
     draw_map(figure, figure.add_subplot(grid[1, 1]), face, face.height,
              "height of the chip [µm]", "viridis")
-    load = read_summary(directory).get("load", {})
-    title = f"t = {face.time * 1e6:.4g} µs"
-    if load:
-        title = (f"{load['pressure'] * MPA:.4g} MPa, "
-                 f"{load['velocity'] * 60:.4g} m/min, " + title)
-    figure.suptitle(title)
+    figure.suptitle(heading(directory, read_summary(directory)) +
+                    f", t = {face.time * 1e6:.4g} µs")
     figure.savefig(target, dpi=110)
     plt.close(figure)

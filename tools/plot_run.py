@@ -42,8 +42,8 @@ try:
 
     from fluid_structure_pictures import TABLE, plot_fluid_structure
     from patch_pictures import is_patch, plot_patch
-    from run_output import (RunError, Vtu, part_at, read_friction, read_summary,
-                            steps_of)
+    from run_output import (RunError, Vtu, heading, part_at, read_friction,
+                            read_summary, steps_of)
 except ImportError as error:
     sys.exit(f"{error}: plot_run.py needs matplotlib and numpy; "
              "tools/install_dependencies installs them.")
@@ -194,18 +194,6 @@ def magnified_box(scene):
         centre += L
     return (centre - 0.5 * width, centre + 0.5 * width,
             hardest[1] - 0.2 * width, hardest[1] + 0.13 * width)
-
-
-def heading(directory, summary):
-    """Name and load of a run."""
-    name = os.path.basename(os.path.abspath(directory))
-    load = summary.get("load", {})
-    try:
-        return (f"{name}: {load['pressure'] * 1e-6:.4g} MPa, "
-                f"{load['velocity'] * 60:.4g} m/min, "
-                f"{load['temperature'] - 273.15:.4g} °C")
-    except (KeyError, TypeError):
-        return name
 
 
 def plot_topography(directory, step, target):

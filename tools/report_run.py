@@ -19,7 +19,9 @@ GROUPS = {"preparation": "preparation", "profile": "profile for surface",
 PICTURES = {
     "deformed_topography.png": "The deformed chip under the tool, coloured by "
                                "equivalent plastic strain; arrows: the force of "
-                               "the tool on the chip.",
+                               "the tool on the chip. Of a patch the face of the "
+                               "chip, and maps of its height and of the contact "
+                               "pressure.",
     "oil_flow.png": "Pressure and velocity of the oil in the gap; the height is "
                     "stretched.",
     "friction.png": "µ and contact fraction over time and sliding distance; the "
@@ -148,6 +150,10 @@ def result_section(summary):
         ("tool", value_of(summary, "surfaces", "tool")),
         ("chip", value_of(summary, "surfaces", "chip")),
         ("period", quantity(value_of(summary, "surfaces", "period"), 1e6, "µm")),
+        ("width", quantity(value_of(summary, "surfaces", "width"), 1e6, "µm")),
+        ("force across the motion over the load",
+         number(value_of(summary, "friction", "transverse"), 3)
+         if value_of(summary, "surfaces", "width") else None),
         ("models", ", ".join(str(model) if model != "none" else "dry"
                              for model in (summary.get("models") or {}).values())
          or None),
@@ -175,6 +181,10 @@ def cost_text(cost):
 def accuracy_section(summary):
     accuracy, mu = summary.get("accuracy"), value_of(summary, "friction", "mu")
     title = "Error by source"
+    if value_of(summary, "surfaces", "width"):
+        return Section(title, tag("p", "The numerical error of this µ was not "
+                                  "estimated: scenes in three dimensions have no "
+                                  "such estimate yet."))
     if not isinstance(accuracy, dict):
         return Section(title, tag("p", "The numerical error of this µ was not "
                                   "estimated: ", tag("code", "set Control = "

@@ -111,3 +111,15 @@ def read_summary(directory):
         return {}  # the run goes on, or was stopped
     except ValueError as error:
         raise RunError(f"{directory}/summary.json is not JSON: {error}")
+
+
+def heading(directory, summary):
+    """Name and load of a run."""
+    name = os.path.basename(os.path.abspath(directory))
+    load = summary.get("load", {})
+    try:
+        return (f"{name}: {load['pressure'] * 1e-6:.4g} MPa, "
+                f"{load['velocity'] * 60:.4g} m/min, "
+                f"{load['temperature'] - 273.15:.4g} °C")
+    except (KeyError, TypeError):
+        return name

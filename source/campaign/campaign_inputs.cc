@@ -223,6 +223,11 @@ namespace asperity
             throw InputError(where + ": found " + quoted(position) +
                              ", but the tool of the base scene is not measured "
                              "(Tool/Kind); expected nothing.");
+          if (scene.parameters.geometry.dimension == 3)
+            throw InputError(where + ": found " + quoted(position) +
+                             ", but the base scene is a patch "
+                             "(Geometry/Dimension = 3), whose window is in the "
+                             "middle of the map; expected nothing.");
           at(where, [&]() {
             scene.declarator.set(profile_entry, position);
             make_surface(scene.parameters.tool,

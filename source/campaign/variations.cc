@@ -97,6 +97,8 @@ namespace asperity
       set(at + "Profile length",
           format_quantity(0.5 * length, "um", 6),
           ChoiceKind::preparation);
+      if (input.parameters.geometry.dimension == 3)
+        return; // a window is in the middle of the map
       // A profile along y crosses the map along x.
       const bool   along_y = std::abs(std::cos(t.direction)) < 0.5;
       const double across  = along_y ? map.length_x() : map.length_y();

@@ -268,7 +268,10 @@ namespace asperity
     if constexpr (dim == 3)
       {
         for (unsigned int q = 0; q < slip_.size(); ++q)
-          spin[q] = slip_[q].spin;
+          {
+            spin[q]  = slip_[q].spin;
+            minus[q] = -point_traction[1][q];
+          }
         tractions.add_pointwise(minus, s[0], spin, tangent);
         tractions.add_pointwise(point_traction[0], s[1], spin, tangent);
       }

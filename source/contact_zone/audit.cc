@@ -95,9 +95,13 @@ namespace asperity
         {"heat length over peak-to-valley height",
          std::sqrt(4. * parameters.chip_thermal().diffusivity() * end_time) /
            asperities_of(scene).height,
-         "far below 1 no heat leaves the asperity contacts: adiabatic; near "
-         "and above 1 adiabatic heating is an upper bound, and Heat/Model = "
-         "conducting tells what it errs, for 10 to 25 % more time"});
+         std::string(
+           "far below 1 no heat leaves the asperity contacts: "
+           "adiabatic; near and above 1 adiabatic heating is an upper "
+           "bound") +
+           (dim == 3 ? "" :
+                       ", and Heat/Model = conducting tells what it errs, for "
+                       "10 to 25 % more time")});
       audit.entries.push_back({"sliding distance over the period",
                                v * end_time / scene.length,
                                "below about 0.05 the contact is still running "
@@ -166,8 +170,13 @@ namespace asperity
           "The contact penalty is soft against the roughness, so that mu is "
           "too small; raise the penalty factor or use augmentations.");
       audit_height(parameters, asperities, audit);
-      const double elements =
-        asperities.length / scene.contact_element_length();
+      double longest = scene.contact_element_length();
+      if constexpr (dim == 3)
+        longest =
+          std::max(longest,
+                   scene.width /
+                     parameters.mesh.n_spans_across(scene.length, scene.width));
+      const double elements = asperities.length / longest;
       audit.entries.push_back(
         {"elements across the steepest asperity",
          elements,
@@ -176,7 +185,7 @@ namespace asperity
         audit.warnings.push_back(
           "The mesh has " + format_quantity(elements, "1", 2) +
           " elements across the steepest asperity and does not resolve the "
-          "tool; raise the spans (Mesh/Spans) or filter the tool.");
+          "tool; raise the spans (Mesh/Spans, Spans across) or filter the tool.");
     }
 
     /** Whether the chip slides at all: the first way only turns the forces of
@@ -315,7 +324,10 @@ namespace asperity
     audit_steps(parameters, scene, audit);
     audit_interface(parameters, audit);
     if (scene.tool_surface.topography)
-      audit_treatment(*scene.tool_surface.topography, "Tool", audit);
+      audit_treatment(parameters.tool.topography,
+                      *scene.tool_surface.topography,
+                      "Tool",
+                      audit);
     return audit;
   }
 } // namespace asperity

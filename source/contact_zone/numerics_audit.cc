@@ -79,8 +79,9 @@ namespace asperity
                   const Scene<dim>      &scene,
                   SceneAudit            &audit)
     {
-      const double position =
-        std::max(scene.length, parameters.geometry.height);
+      const double position = std::max({scene.length,
+                                        dim == 3 ? scene.width : 0.,
+                                        parameters.geometry.height});
       add(rounding_warning(scene.penalty(),
                            position,
                            parameters.load.pressure,

@@ -3,12 +3,16 @@
 #include <asperity/base/errors.h>
 #include <asperity/base/quantity.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace asperity
 {
   namespace
   {
+    /** Pieces of a sheet of harmonics, which take about 200 bytes each. */
+    constexpr double largest_sheet = 1e6;
+
     /** The entries across the motion. */
     void
     check_mesh(const MeshParameters      &mesh,
@@ -47,6 +51,17 @@ namespace asperity
           throw InputError(found + format_number(j) +
                            "; expected whole numbers, so that the surface is "
                            "periodic.");
+      double highest = 0.;
+      for (const double j : surface.across)
+        highest = std::max(highest, std::abs(j));
+      const double n = surface.n_spans_of_harmonics() *
+                       SurfaceParameters::spans_across * std::max(1., highest);
+      if (n > largest_sheet)
+        throw InputError(found + format_number(highest) +
+                         " waves, for which the sheet has " +
+                         format_quantity(n, "1", 2) +
+                         " pieces; expected at most a million: fewer waves, or "
+                         "fewer Spline spans.");
     }
   } // namespace
 
@@ -84,6 +99,10 @@ namespace asperity
                        "the map.");
     if (p.chip.kind == SurfaceKind::measured)
       fail("a measured chip", "Chip surface/Kind = flat or harmonics");
+    if (p.contact.quadrature == 1)
+      throw InputError(parameters.where("Contact/Quadrature points") +
+                       ": found 1 in three dimensions; expected 0, or at least "
+                       "2.");
     check_mesh(p.mesh, parameters);
     check_waves(p.tool, "Tool", parameters);
     check_waves(p.chip, "Chip surface", parameters);

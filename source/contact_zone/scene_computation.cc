@@ -31,11 +31,14 @@ namespace asperity
           format_quantity(softening->melting_temperature, "degC", 5) + ")" +
           (parameters.heat_model() == HeatModel::conducting ?
              "." :
-             "; nothing conducts the heat away, so that this is an upper bound: "
-             "Heat/Model = conducting would tell more."));
+             std::string("; nothing conducts the heat away, so that this is an "
+                         "upper bound") +
+               (dim == 3 ? "." :
+                           ": Heat/Model = conducting would tell more.")));
     }
 
-    /** That tool, oil and load have done on the chip since the start [J/m]. */
+    /** That tool, oil and load have done on the chip since the start, per metre
+     *  of its width [J/m]. */
     template <int dim>
     double
     work_on_chip(const SlidingRun<dim> &run)
@@ -103,7 +106,8 @@ namespace asperity
     warn_of_oil_shear(run, run.period(), parameters, warnings);
     for (const std::string &warning :
          {run.coarse_film(),
-          run.solid_step().energy().warning(work_on_chip(run))})
+          run.solid_step().energy().warning(work_on_chip(run) * run.area() /
+                                            run.period())})
       if (!warning.empty())
         warnings.push_back(warning);
     const LubricantModel model = parameters.lubrication.model;

@@ -93,12 +93,13 @@ namespace asperity
     {
       const double n = largest_number_of_elements<dim>(mesh, columns, rows);
       if (n > largest_mesh<dim>)
-        throw InputError("Mesh: these entries make a mesh of about " +
-                         format_quantity(n, "1", 2) +
-                         " elements; expected at most " +
-                         format_quantity(largest_mesh<dim>, "1") +
-                         ": fewer Spans, a larger Row grading, a smaller Strip "
-                         "depth, or a smaller Chip height.");
+        throw InputError(
+          "Mesh: these entries make a mesh of about " +
+          format_quantity(n, "1", 2) + " elements; expected at most " +
+          format_quantity(largest_mesh<dim>, "1") + ": fewer Spans" +
+          (dim == 3 ? " or Spans across" : "") +
+          ", a larger Row grading, a smaller Strip depth, or a "
+          "smaller Chip height.");
     }
 
     double

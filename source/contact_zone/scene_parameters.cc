@@ -179,8 +179,8 @@ namespace asperity
     parameters.number("Tolerance",
                       tolerance,
                       Range::between(1e-12, 0.01),
-                      "Euclidean norm of the residual over p L at which "
-                      "Newton's method ends.");
+                      "Euclidean norm of the residual over p L (p L W of a "
+                      "patch) at which Newton's method ends.");
     parameters.integer("Maximum iterations",
                        maximum_iterations,
                        Range::between(1, 1000),

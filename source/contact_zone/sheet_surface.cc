@@ -13,9 +13,6 @@ namespace asperity
     /** Length and width [m]. */
     using Periods = std::array<double, 2>;
 
-    /** Spans of a sheet that does not change along a direction. */
-    constexpr unsigned int fewest_spans = 8;
-
     /** The heights of a periodic function of one variable, as coefficients. */
     std::vector<double>
     heights_of(const std::function<double(double)> &function,
@@ -66,9 +63,10 @@ namespace asperity
     make_harmonic_sheet(const SurfaceParameters &p, const Periods &periods)
     {
       const unsigned int n_x = p.n_spans_of_harmonics(),
-                         n_y = std::max(fewest_spans, 40 * highest(p.across));
-      const KnotVector x     = knots(periods[0], n_x, p.degree),
-                       y     = knots(periods[1], n_y, p.degree);
+                         n_y = SurfaceParameters::spans_across *
+                               std::max(1u, highest(p.across));
+      const KnotVector x = knots(periods[0], n_x, p.degree),
+                       y = knots(periods[1], n_y, p.degree);
       std::vector<double> heights(n_x * n_y, 0.);
       const auto          wave =
         [](const double number, const double phase, const double period) {
@@ -105,8 +103,8 @@ namespace asperity
       return surface;
     }
 
-    /** A window of the map: as long as `Profile length`, or all of it, and as
-     *  wide as `Geometry/Width`, or as it is long.
+    /** A window of the map: as long as `Profile length` (before scaling) and as
+     *  wide as `Geometry/Width` (after it), or as it is long.
      *  @param width of the patch, if it is given [m] */
     SheetSurface
     make_measured_sheet(const SurfaceParameters     &parameters,
@@ -120,8 +118,7 @@ namespace asperity
       choice.extent[1] =
         width ? *width / topography.scale_x : topography.length;
       WindowReport window;
-      surface.sheet   = make_window(topography, choice, report, window);
-      surface.fit_rms = window.fit_rms;
+      surface.sheet = make_window(topography, choice, report, window);
       surface.description =
         "window of " + topography.file + ", " +
         std::to_string(surface.sheet.knot_vector(0).n_spans()) + " x " +

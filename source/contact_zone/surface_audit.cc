@@ -76,13 +76,15 @@ namespace asperity
 
 
   void
-  audit_treatment(const TopographyReport &report,
-                  const std::string      &whose,
-                  SceneAudit             &audit)
+  audit_treatment(const TopographyParameters &topography,
+                  const TopographyReport     &report,
+                  const std::string          &whose,
+                  SceneAudit                 &audit)
   {
     for (const auto &list : {report.sanity.warnings, report.warnings})
       for (const std::string &warning : list)
         audit.warnings.push_back(whose + " surface: " + warning);
+    audit_filter(topography, report.map, whose, audit);
   }
 
 
@@ -95,8 +97,7 @@ namespace asperity
   {
     if (!surface.topography)
       return;
-    audit_treatment(*surface.topography, whose, audit);
+    audit_treatment(parameters.topography, *surface.topography, whose, audit);
     audit_texture(*surface.topography, whose, audit);
-    audit_filter(parameters.topography, surface.topography->map, whose, audit);
   }
 } // namespace asperity

@@ -8,11 +8,13 @@
 
 namespace asperity
 {
-  /** What the reader and the treatment of a measured surface complain of. */
+  /** What the reader and the treatment of a measured surface complain of, and
+   *  whether the filter leaves out what the map shows. */
   void
-  audit_treatment(const TopographyReport &report,
-                  const std::string      &whose,
-                  SceneAudit             &audit);
+  audit_treatment(const TopographyParameters &topography,
+                  const TopographyReport     &report,
+                  const std::string          &whose,
+                  SceneAudit                 &audit);
 
   /**
    * What the reader and the treatment of a measured surface complain of, and

@@ -24,9 +24,15 @@ namespace asperity
                [=](const SceneParameters &p) {
                  return (p.*surface).topography.form == FormChoice::polynomial;
                }},
-              {{map + "Spline degree",
-                map + "Samples per knot",
-                map + "Blend fraction"},
+              {{map + "Spline degree", map + "Samples per knot"},
+               "the Periodic continuation wrapped spline, or a window in three "
+               "dimensions",
+               [=](const SceneParameters &p) {
+                 return (p.*surface).topography.continuation ==
+                          Continuation::wrapped_spline ||
+                        p.geometry.dimension == 3;
+               }},
+              {{map + "Blend fraction"},
                "the Periodic continuation wrapped spline",
                [=](const SceneParameters &p) {
                  return (p.*surface).topography.continuation ==
@@ -58,7 +64,17 @@ namespace asperity
          return (p.*surface).kind == SurfaceKind::harmonics &&
                 p.geometry.dimension == 3;
        }},
-        {{section + "/Spline degree", section + "/Spline spans", map + "Scale z"},
+        {{section + "/Spline degree", section + "/Spline spans"},
+         "the Kind harmonics, and measured in two dimensions",
+         [=](const SceneParameters &p) {
+         const SurfaceKind k = (p.*surface).kind;
+         return k == SurfaceKind::harmonics ||
+                (k == SurfaceKind::measured && p.geometry.dimension == 2);
+       }},
+        {{section + "/Spline fit"},
+         "a profile, Geometry/Dimension = 2",
+         [](const SceneParameters &p) { return p.geometry.dimension == 2; }},
+        {{map + "Scale z"},
          "the Kinds harmonics and measured",
          [=](const SceneParameters &p) {
          return (p.*surface).kind != SurfaceKind::flat;

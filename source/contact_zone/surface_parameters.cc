@@ -29,8 +29,8 @@ namespace asperity
        {"measured", SurfaceKind::measured}},
       "Where the heights of the " + whose +
         " come from: `flat`; `harmonics`, the sum of a_k cos(2 pi k x/L + "
-        "phi_k); `measured`, a profile of the height map named in the "
-        "subsection Topography.");
+        "phi_k); `measured`, a profile (of a patch a window) of the height map "
+        "named in the subsection Topography.");
     parameters.list("Wave numbers",
                     wave_numbers,
                     "1",
@@ -66,7 +66,8 @@ namespace asperity
       Range::between(8, 20000),
       "Spans of the periodic spline over a period. "
       "`automatic`: 40 for each period of the shortest "
-      "harmonic, one for each 2 points of a measured profile.");
+      "harmonic, one for each 2 points of a measured profile. Across the motion "
+      "a patch always has 40 for each wave.");
     parameters.choice("Spline fit",
                       fit,
                       {{"least squares", SurfaceFit::least_squares},

@@ -110,7 +110,8 @@ namespace asperity
                           Range::between(0., 1.),
                           "Length of the profile before scaling, which is "
                           "its period (half of it, mirrored); 0 um takes what "
-                          "the map has.");
+                          "the map has. Of a patch the length of the window "
+                          "along x, which must be given.");
       parameters.number("Largest missing fraction",
                         p.largest_missing_fraction,
                         Range::between(0., 1.),

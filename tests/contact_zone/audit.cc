@@ -35,7 +35,7 @@ namespace
 TEST(SceneAudit, numbers_follow_their_definitions)
 {
   const SceneParameters parameters = coarse_scene();
-  const Scene<2>           scene(parameters);
+  const Scene<2>        scene(parameters);
   const SceneAudit      audit = audit_scene(parameters, scene);
   const double E = scene.law->young_modulus(), nu = scene.law->poisson_ratio(),
                rho = scene.law->density();
@@ -80,7 +80,7 @@ TEST(SceneAudit, numbers_follow_their_definitions)
 TEST(SceneAudit, heat_spreads_as_conductivity_and_heat_capacity_of_the_chip_say)
 {
   SceneParameters parameters = coarse_scene();
-  const Scene<2>     scene(parameters);
+  const Scene<2>  scene(parameters);
   const double    length = number(audit_scene(parameters, scene),
                                "heat length over peak-to-valley height");
   parameters.material.heating.heat_capacity *= 4.;
@@ -100,7 +100,7 @@ TEST(SceneAudit, flat_bodies_have_no_asperities_to_complain_of)
   SceneParameters parameters   = coarse_scene();
   parameters.tool.kind         = SurfaceKind::flat;
   parameters.lubrication.model = LubricantModel::automatic;
-  const Scene<2>      scene(parameters);
+  const Scene<2>   scene(parameters);
   const SceneAudit audit = audit_scene(parameters, scene);
   EXPECT_TRUE(audit.warnings.empty()) << audit.warnings.front();
   // No asperity drives a flow.
@@ -112,7 +112,7 @@ TEST(SceneAudit, flat_bodies_have_no_asperities_to_complain_of)
 TEST(SceneAudit, tells_what_is_left_out_where_the_interface_bears_shear)
 {
   SceneParameters parameters = coarse_scene();
-  const Scene<2>     scene(parameters);
+  const Scene<2>  scene(parameters);
   const auto      warned = [&](const std::string &what) {
     return warns(audit_scene(parameters, scene), what);
   };
@@ -164,7 +164,7 @@ TEST(SceneAudit, warns_of_waves_and_steps_that_are_too_coarse)
 TEST(SceneAudit, warns_of_a_way_that_is_none)
 {
   SceneParameters parameters = coarse_scene();
-  const Scene<2>     scene(parameters);
+  const Scene<2>  scene(parameters);
   const double    length = number(audit_scene(parameters, scene),
                                "time steps across the steepest asperity") *
                         parameters.load.velocity *
@@ -199,7 +199,7 @@ TEST(SceneAudit, a_ramp_shorter_than_ten_transits_needs_inertia)
 {
   SceneParameters parameters   = coarse_scene();
   parameters.protocol.end_time = 5e-8;
-  const Scene<2>      scene(parameters);
+  const Scene<2>   scene(parameters);
   const SceneAudit audit = audit_scene(parameters, scene);
   EXPECT_LT(number(audit, "wave transits of the chip during the load ramp"),
             10.);
@@ -230,7 +230,7 @@ TEST(SceneAudit, warns_of_what_spoils_the_result)
   parameters.contact.penalty_factor = 1e-3;
   for (double &a : parameters.tool.amplitudes)
     a *= 3.;
-  const Scene<2>      poor(parameters);
+  const Scene<2>   poor(parameters);
   const SceneAudit audit = audit_scene(parameters, poor);
   for (const std::string words : {"steeper than 1.5",
                                   "penalty is soft",
@@ -248,7 +248,7 @@ TEST(SceneAudit, passes_on_what_the_reader_of_a_surface_complains_of)
     ASPERITY_SOURCE_DIR "/parameter_files/surfaces/polished_tool.x3p";
   topography.length = 20e-6;
   topography.start  = 3e-6;
-  Scene<2>      scene(parameters);
+  Scene<2>   scene(parameters);
   auto      &report = *scene.tool_surface.topography;
   const auto before = audit_scene(parameters, scene).warnings.size();
   report.sanity.warnings.push_back("The unit is a guess.");
@@ -266,8 +266,8 @@ TEST(SceneAudit, warns_of_hills_as_ridges_and_of_waves_that_are_filtered_out)
     ASPERITY_SOURCE_DIR "/parameter_files/surfaces/polished_tool.x3p";
   topography.length = 20e-6;
   Scene<2> scene(parameters);
-  auto &report = *scene.tool_surface.topography;
-  auto &map    = report.map;
+  auto    &report = *scene.tool_surface.topography;
+  auto    &map    = report.map;
   // sin(x) + h sin(y) has the autocorrelation (cos(x) + h^2 cos(y))/(1 + h^2).
   const auto waves = [&](const double hills) {
     map.dx = map.dy = 0.5e-6;
@@ -311,7 +311,7 @@ TEST(SceneAudit, chooses_the_lubricant_model_by_the_flow)
   // 12 eta v l/(h^2 p) with the void of R0, 0.335 um, and asperities of 0.9 um
   parameters.load.velocity = 22.5 / 60.;
   const Scene<2> scene(parameters);
-  SceneAudit  audit = audit_scene(parameters, scene);
+  SceneAudit     audit = audit_scene(parameters, scene);
   EXPECT_EQ(audit.lubricant, LubricantModel::pocket);
   const double h = 0.335e-6, l = 0.682e-6 / 0.75;
   EXPECT_NEAR(number(audit, "pressure differences by flow over the load"),
@@ -329,7 +329,7 @@ TEST(SceneAudit, chooses_the_lubricant_model_by_the_flow)
               0.02 * squeeze);
 
   parameters.lubrication.wetting = 0.6;
-  audit                          = audit_scene(parameters, Scene<2>(parameters));
+  audit = audit_scene(parameters, Scene<2>(parameters));
   EXPECT_EQ(audit.lubricant, LubricantModel::reynolds);
   parameters.lubrication.oil.viscosity.viscosity = 0.032 * 0.9e-3 / squeeze;
   audit = audit_scene(parameters, Scene<2>(parameters));
@@ -340,6 +340,6 @@ TEST(SceneAudit, chooses_the_lubricant_model_by_the_flow)
   audit = audit_scene(parameters, Scene<2>(parameters));
   EXPECT_EQ(audit.lubricant, LubricantModel::reynolds);
   parameters.lubrication.wetting = 0.;
-  audit                          = audit_scene(parameters, Scene<2>(parameters));
+  audit = audit_scene(parameters, Scene<2>(parameters));
   EXPECT_EQ(audit.lubricant, LubricantModel::none);
 }

@@ -34,7 +34,7 @@ namespace
     std::shared_ptr<SplineSpace<2>>   space;
     PatchGeometry<2>                  geometry;
     Interface                         interface;
-    SolidAssembler<2>                    assembler;
+    SolidAssembler<2>                 assembler;
     dealii::AffineConstraints<double> constraints;
   };
 

@@ -57,9 +57,9 @@ namespace
   }
 
   VtuReader
-  written(const ChipOutput  &output,
-          const ChipFields  &fields,
-          const unsigned int n_periods = 1)
+  written(const ChipOutput<2> &output,
+          const ChipFields    &fields,
+          const unsigned int   n_periods = 1)
   {
     std::ostringstream out;
     output.write(out, fields, 1e-7, 3, n_periods);
@@ -86,11 +86,11 @@ TEST(ChipOutput, corners_lie_on_the_deformed_curved_geometry)
   const PatchGeometry<2> geometry = PatchGeometry<2>::from_map(space, map);
   // u(xi, eta) = (0.1 xi eta, 0.2 xi^2): quadratic in the parameters.
   ChipFields fields;
-  fields.displacement     = vector_field(space, [](const dealii::Point<2> &p) {
+  fields.displacement  = vector_field(space, [](const dealii::Point<2> &p) {
     return std::vector<double>{0.1 * p[0] * p[1], 0.2 * p[0] * p[0]};
   });
-  const unsigned int n    = 3;
-  const auto         file = written(ChipOutput(space, geometry, n, 3), fields);
+  const unsigned int n = 3;
+  const auto file      = written(ChipOutput<2>(space, geometry, n, 3), fields);
 
   ASSERT_EQ(file.n_points, space.n_cells() * (n + 1) * (n + 1));
   EXPECT_EQ(file.n_cells, space.n_cells() * n * n);
@@ -124,7 +124,7 @@ TEST(ChipOutput, quadrilaterals_cover_the_deformed_area_without_overlap)
   fields.displacement = vector_field(space, [](const dealii::Point<2> &p) {
     return std::vector<double>{0.5 * p[1], 0.};
   });
-  const auto file     = written(ChipOutput(space, {}, 2, 3), fields);
+  const auto file     = written(ChipOutput<2>(space, {}, 2, 3), fields);
   const auto points   = file.points();
   const auto cells    = file.connectivity();
   ASSERT_EQ(cells.size(), 4u * file.n_cells);
@@ -172,7 +172,7 @@ TEST(ChipOutput, spline_fields_and_quadrature_polynomials_are_reproduced)
     }));
 
   const unsigned int n      = 4;
-  const auto         file   = written(ChipOutput(space, {}, n, 3), fields);
+  const auto         file   = written(ChipOutput<2>(space, {}, n, 3), fields);
   const auto         points = file.points();
   const auto         v      = file.field("velocity [m/s]");
   const auto         phi    = file.field("potential [V]");
@@ -204,7 +204,7 @@ TEST(ChipOutput, quadrature_fields_stay_in_the_range_of_their_cell)
     at_gauss_points(space, {}, 3, [](const dealii::Point<2> &p) {
       return p[0] + p[1] > 1.5 ? 1. : 0.;
     }));
-  const auto file = written(ChipOutput(space, {}, 5, 3), fields);
+  const auto file = written(ChipOutput<2>(space, {}, 5, 3), fields);
   const auto ep   = file.field("equivalent plastic strain [-]");
   EXPECT_EQ(*std::min_element(ep.begin(), ep.end()), 0.f);
   EXPECT_EQ(*std::max_element(ep.begin(), ep.end()), 1.f);
@@ -217,7 +217,7 @@ TEST(ChipOutput, periods_are_drawn_side_by_side)
   const SplineSpace<2> space(uniform(2, 5, 10e-6, true), uniform(2, 2, 5e-6));
   ChipFields           fields;
   fields.displacement.reinit(2 * space.n_functions());
-  const ChipOutput output(space, {}, 2, 3);
+  const ChipOutput<2> output(space, {}, 2, 3);
   const auto one = written(output, fields), two = written(output, fields, 2);
   ASSERT_EQ(two.n_points, 2 * one.n_points);
   const auto points = two.points();
@@ -232,7 +232,7 @@ TEST(ChipOutput, periods_are_drawn_side_by_side)
 
   const SplineSpace<2> open(uniform(2, 5, 1.), uniform(2, 2, 1.));
   fields.displacement.reinit(2 * open.n_functions());
-  EXPECT_THROW(written(ChipOutput(open, {}, 2, 3), fields, 2),
+  EXPECT_THROW(written(ChipOutput<2>(open, {}, 2, 3), fields, 2),
                ComputationError);
 }
 
@@ -242,7 +242,7 @@ TEST(ChipOutput, a_number_that_is_not_finite_is_refused_by_name)
 {
   const double         nan = std::numeric_limits<double>::quiet_NaN();
   const SplineSpace<2> space(uniform(2, 3, 3.), uniform(2, 2, 1.));
-  const ChipOutput     output(space, {}, 2, 3);
+  const ChipOutput<2>  output(space, {}, 2, 3);
   ChipFields           good;
   good.displacement.reinit(2 * space.n_functions());
   good.quadrature_scalars.emplace_back(
@@ -276,7 +276,7 @@ TEST(ChipOutput, a_number_that_is_not_finite_is_refused_by_name)
 TEST(ChipOutput, fields_of_another_length_are_refused_by_name)
 {
   const SplineSpace<2> space(uniform(2, 3, 3.), uniform(2, 2, 1.));
-  const ChipOutput     output(space, {}, 2, 3);
+  const ChipOutput<2>  output(space, {}, 2, 3);
   ChipFields           fields;
   fields.displacement.reinit(2 * space.n_functions() - 1);
   EXPECT_THROW(written(output, fields), ComputationError);

@@ -45,7 +45,7 @@ namespace asperity
      *  points [m]: what augmentation removes. The mortar's pointwise
      *  penetration also holds what the mesh cannot follow. */
     double constraint_violation = 0.;
-    double mean_gap = 0.; ///< mean of max(gap, 0) over the length [m]
+    double mean_gap             = 0.; ///< mean of max(gap, 0) over the edge [m]
   };
 
   /** What touches, per current length (in three dimensions area) of the

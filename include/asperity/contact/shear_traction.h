@@ -81,7 +81,8 @@ namespace asperity
     void
     add_residual(dealii::Vector<double> &residual) const;
 
-    /** Its derivative, in a symmetric part, of what sticks, and the rest. */
+    /** Its derivative, in a symmetric part, by the slip of what sticks and, in
+     *  three dimensions, by the turning of what slips, and the rest. */
     void
     add_stiffness(dealii::SparseMatrix<double> &symmetric,
                   dealii::SparseMatrix<double> &rest) const;

@@ -43,9 +43,9 @@ namespace asperity
 
     ~Scene();
 
-    Scene(const Scene<2> &) = delete;
-    Scene<2> &
-    operator=(const Scene<2> &) = delete;
+    Scene(const Scene &) = delete;
+    Scene &
+    operator=(const Scene &) = delete;
 
     /** Components of the chip's displacement. */
     unsigned int
@@ -64,7 +64,8 @@ namespace asperity
     double
     penalty() const;
 
-    /** Element edge of the contact edge, where it has all levels [m]. */
+    /** Element edge of the contact edge along x, where it has all levels [m].
+     */
     double
     contact_element_length() const;
 
@@ -84,8 +85,8 @@ namespace asperity
     double
     flash_temperature() const;
 
-    /** Vertical dead load on the bottom per pressure [m]: times p it is the
-     *  load vector. */
+    /** Vertical dead load on the bottom per pressure [m^(dim - 1)]: times p it
+     *  is the load vector. */
     const dealii::Vector<double> &
     bottom_load() const;
 

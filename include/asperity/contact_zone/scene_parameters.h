@@ -21,8 +21,9 @@ namespace asperity
   enum class SurfaceKind
   {
     flat,
-    harmonics, ///< Scale z times the sum of a_k cos(2 pi k x / L + phi_k)
-    measured   ///< a profile of a height map
+    harmonics, ///< Scale z times the sum of a_k cos(2 pi k x / L + phi_k), in
+               ///< three dimensions with k x / L + j y / W
+    measured   ///< a profile or a window of a height map
   };
 
   /** How the spline of a measured profile follows its points. */
@@ -64,6 +65,10 @@ namespace asperity
     check_fit(const ParameterDeclarator &parameters,
               const std::string         &section) const;
 
+    /** Spans of the sheet of harmonics across the motion, for each wave across;
+     *  a sheet without has as many. */
+    static constexpr unsigned int spans_across = 40;
+
     /** Spans of the spline of harmonics over a period. */
     unsigned int
     n_spans_of_harmonics() const;
@@ -77,7 +82,8 @@ namespace asperity
   {
     unsigned int dimension = 2; ///< 3: a patch of the surfaces, not a profile
 
-    /** Period across, in three dimensions; automatic: as is long along x. */
+    /** Period across, in three dimensions; automatic: as
+     *  long as along x [m]. */
     std::optional<double> width;
 
     double length      = 10e-6;   ///< period L; measured tools bring their own
@@ -236,7 +242,7 @@ namespace asperity
 
   struct SolverParameters
   {
-    double           tolerance          = 1e-4; ///< of p L
+    double           tolerance          = 1e-4; ///< of p L (p L W of a patch)
     unsigned int     maximum_iterations = 20;
     unsigned int     maximum_cuts       = 8;
     DirectSolverKind linear_solver      = DirectSolverKind::cholmod;

@@ -17,9 +17,7 @@ namespace asperity
   {
     SplineSheet sheet; ///< [m]
 
-    /** A few words for people, and how closely the spline meets the data. */
-    std::string description;
-    double      fit_rms = 0.; ///< [m]
+    std::string description; ///< a few words for people
 
     /** What was made of the file of a measured surface. */
     std::optional<TopographyReport> topography;

@@ -192,7 +192,8 @@ namespace asperity
     void
     renew_interface();
 
-    /** Norm of the chip's residual at which Newton's method ends [N/m]. */
+    /** Norm of the chip's residual at which Newton's method ends
+     *  [N/m^(3 - dim)]. */
     double
     newton_tolerance() const;
 

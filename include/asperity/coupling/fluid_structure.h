@@ -128,7 +128,7 @@ namespace asperity
     ElasticMeshUpdate                mesh_update;
     AleFluid                         fluid_side;
     Interface                        interface;
-    SolidAssembler<2>                   assembler;
+    SolidAssembler<2>                assembler;
     std::unique_ptr<SplineSolid>     solid_side;
     std::unique_ptr<PartitionedStep> step;
   };

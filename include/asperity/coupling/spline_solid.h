@@ -44,7 +44,7 @@ namespace asperity
      * @param constraints of components of u that keep their value, see
      * Equilibrium
      */
-    SplineSolid(SolidAssembler<2>                          &solid,
+    SplineSolid(SolidAssembler<2>                       &solid,
                 const dealii::AffineConstraints<double> &constraints,
                 const Interface                         &interface,
                 const SplineSolidOptions                &options = {});

@@ -10,10 +10,11 @@
 namespace asperity
 {
   /**
-   * What the steps of generalized-alpha do to the energy of a body [J/m]. Over
-   * a step the kinetic energy should grow by the work of the forces; what is
-   * missing, with the work by the trapezoidal rule, the method has taken away.
-   * Newmark's method without damping takes nothing by this measure.
+   * What the steps of generalized-alpha do to the energy of a body [J/m, in
+   * three dimensions J, with forces in N]. Over a step the kinetic energy
+   * should grow by the work of the forces; what is missing, with the work by
+   * the trapezoidal rule, the method has taken away. Newmark's method without
+   * damping takes nothing by this measure.
    */
   struct MotionEnergy
   {

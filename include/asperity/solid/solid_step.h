@@ -18,7 +18,8 @@ namespace asperity
    * The time step of a body: inertia by generalized-alpha on request (see
    * GeneralizedAlpha), Newton's method on the balance, the end of the step as
    * the start of the next one. A step is begun, solved for any number of times
-   * and accepted, or begun again with another length.
+   * and accepted, or begun again with another length. Forces are in N/m, in
+   * three dimensions in N.
    */
   class SolidStep
   {
