@@ -196,6 +196,10 @@ namespace asperity
   {
     tool.check(parameters, "Tool");
     chip_surface.check(parameters, "Chip surface");
+    if (geometry.dimension != 2)
+      throw InputError(parameters.where("Geometry/Dimension") + ": found " +
+                       std::to_string(geometry.dimension) +
+                       " in a fluid-structure problem; expected 2.");
     material.check(parameters);
     time.check(parameters);
     if (fluid.scheme == FluidTimeScheme::steady)

@@ -1,4 +1,5 @@
-#include <asperity/constitutive/hyperelasticity.h>
+#include <asperity/contact/sheet_obstacle.h>
+#include <asperity/splines/spline_fit.h>
 
 #include <gtest/gtest.h>
 
@@ -271,6 +272,42 @@ namespace
         accept(contact);
         set_strength(flat, 1e4);
         set_strength(contact, 1e4);
+      }
+  }
+
+
+
+  TEST(SheetObstacle, of_an_extruded_curve_has_the_gap_of_the_curve)
+  {
+    const SplineCurve curve = interpolate_periodic_function(
+      [](const double x) { return 1. + 0.05 * std::sin(M_PI * x); },
+      0.,
+      2.,
+      24,
+      3);
+    const CurveObstacle plane(curve, CurveSide::right);
+    const SheetObstacle sheet(extrude(curve, 1.2, 6));
+    for (const Point<3> &x : {Point<3>(0.3, 0.1, 0.9),
+                              Point<3>(1.1, 0.9, 1.02),
+                              Point<3>(1.7, 1.5, 0.95)})
+      {
+        Point<1>          hint(x[0]);
+        Point<2>          place(x[0], x[1]);
+        const GapPoint<2> a = plane.gap(Point<2>(x[0], x[2]), hint);
+        const GapPoint<3> b = sheet.gap(x, place);
+        EXPECT_NEAR(b.gap, a.gap, 1e-12);
+        EXPECT_NEAR(b.normal[0], a.normal[0], 1e-12);
+        EXPECT_NEAR(b.normal[1], 0., 1e-12);
+        EXPECT_NEAR(b.normal[2], a.normal[1], 1e-12);
+        EXPECT_NEAR(place[0], hint[0], 1e-9);
+        // One direction bends as the curve, the other one does not.
+        const unsigned int bent =
+          std::abs(b.curvature[0]) > std::abs(b.curvature[1]) ? 0 : 1;
+        EXPECT_NEAR(b.curvature[bent], a.curvature[0], 1e-8);
+        EXPECT_NEAR(b.curvature[1 - bent], 0., 1e-10);
+        EXPECT_NEAR(std::abs(b.direction[1 - bent][1]), 1., 1e-10);
+        EXPECT_NEAR(b.normal * b.direction[0], 0., 1e-12);
+        EXPECT_NEAR(b.normal * b.direction[1], 0., 1e-12);
       }
   }
 

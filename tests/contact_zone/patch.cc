@@ -17,19 +17,6 @@ namespace
 {
   using PatchRun = CompleteRunIn<3>;
 
-  /** R0 on a very coarse mesh, as wide as three of its columns. */
-  SceneParameters
-  narrow_scene()
-  {
-    SceneParameters parameters     = coarse_scene();
-    parameters.mesh.spans          = 12;
-    parameters.protocol.ramp_steps = 3, parameters.protocol.slide_steps = 4;
-    parameters.solver.tolerance   = 1e-9;
-    parameters.geometry.dimension = 3;
-    parameters.geometry.width     = 0.5 * parameters.geometry.length;
-    return parameters;
-  }
-
   /** Waves along and across, whose ridges are oblique.
    *  @param sense of their slope, 1 or -1 */
   SceneParameters

@@ -31,25 +31,26 @@ namespace
 
   /** Runs to the end, keeps the state after a step, and runs from there
    *  again. */
+  template <int dim = 2>
   void
   expect_identical_rest(const SceneParameters &parameters,
                         const unsigned int     stop)
   {
     std::string kept;
     // The observer needs the scene of the run, so there is no CompleteRun.
-    Scene<2>      scene(parameters);
-    SlidingRun<2> run(parameters, scene);
-    run.run([&](const SlidingRun<2> &now) {
+    Scene<dim>      scene(parameters);
+    SlidingRun<dim> run(parameters, scene);
+    run.run([&](const SlidingRun<dim> &now) {
       if (now.state().step == stop)
         kept = save(now, scene);
     });
 
-    Scene<2>      second_scene(parameters);
-    SlidingRun<2> second(parameters, second_scene);
+    Scene<dim>      second_scene(parameters);
+    SlidingRun<dim> second(parameters, second_scene);
     load(kept, second, second_scene);
     EXPECT_EQ(save(second, second_scene), kept);
     EXPECT_EQ(second.state().step, stop);
-    second.run([](const SlidingRun<2> &) {});
+    second.run([](const SlidingRun<dim> &) {});
 
     ASSERT_EQ(second.state().rows.size(), run.state().rows.size());
     for (std::size_t i = 0; i < run.state().rows.size(); ++i)
@@ -95,6 +96,13 @@ TEST(Restart, keeps_the_shear_of_dry_and_wet_contact)
   parameters.lubrication.model   = LubricantModel::pocket;
   parameters.lubrication.wetting = 0.6;
   expect_identical_rest(parameters, 8);
+}
+
+TEST(Restart, goes_on_identically_in_three_dimensions)
+{
+  SceneParameters parameters = narrow_scene();
+  parameters.interface.law   = InterfaceShear::limited_coulomb;
+  expect_identical_rest<3>(parameters, 4);
 }
 
 TEST(Restart, keeps_what_a_steady_window_has_seen)
@@ -208,8 +216,8 @@ TEST(Restart, refuses_the_state_of_another_mesh_and_one_that_is_cut_short)
 {
   SceneParameters parameters = coarse_scene(), finer = coarse_scene();
   finer.mesh.spans = 48;
-  Scene<2>             scene(parameters), finer_scene(finer);
-  SlidingRun<2>        run(parameters, scene), finer_run(finer, finer_scene);
+  Scene<2>          scene(parameters), finer_scene(finer);
+  SlidingRun<2>     run(parameters, scene), finer_run(finer, finer_scene);
   const std::string state   = save(run, scene);
   const auto        message = [](const auto &call) -> std::string {
     try

@@ -22,6 +22,19 @@ namespace asperity
     return parameters;
   }
 
+  /** R0 on a very coarse mesh, as wide as three of its columns. */
+  inline SceneParameters
+  narrow_scene()
+  {
+    SceneParameters parameters     = coarse_scene();
+    parameters.mesh.spans          = 12;
+    parameters.protocol.ramp_steps = 3, parameters.protocol.slide_steps = 4;
+    parameters.solver.tolerance   = 1e-9;
+    parameters.geometry.dimension = 3;
+    parameters.geometry.width     = 0.5 * parameters.geometry.length;
+    return parameters;
+  }
+
   /** The tool of the scene moved by a distance s in x. */
   inline void
   shift_tool(SceneParameters &parameters, const double s)

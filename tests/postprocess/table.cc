@@ -135,7 +135,7 @@ TEST(FrictionTable, every_entry_of_a_row_is_a_column_of_its_own)
   for (std::size_t i = 0; i < friction_columns().size(); ++i)
     EXPECT_EQ(friction_columns()[i].value(row), i + 1.)
       << friction_columns()[i].name;
-  EXPECT_EQ(friction_columns().size(), 42u);
+  EXPECT_EQ(friction_columns().size(), 43u);
 
   FrictionRow       copy;
   const std::string bytes =
