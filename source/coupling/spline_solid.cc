@@ -6,7 +6,7 @@ namespace asperity
 {
   using Vector = dealii::Vector<double>;
 
-  SplineSolid::SplineSolid(SolidAssembler<2>                          &solid,
+  SplineSolid::SplineSolid(SolidAssembler<2>                       &solid,
                            const dealii::AffineConstraints<double> &constraints,
                            const Interface                         &interface,
                            const SplineSolidOptions                &options)

@@ -46,7 +46,7 @@ TEST_F(FullDisk, parameters_that_cannot_be_written_are_named_and_not_cut_off)
 TEST_F(FullDisk, pictures_that_cannot_be_written_are_named_with_the_reason)
 {
   write("scene.prm", small_scene);
-  const Result result = run("scene.prm", limit(80));
+  const Result result = run("scene.prm", limit(200));
   EXPECT_EQ(result.status, 1);
   EXPECT_EQ(result.errors.find(
               "Error: The file 'results/chip_000002.vtu' could "

@@ -48,7 +48,7 @@ TEST(AccuracyForecast, reads_its_numbers_off_the_scene)
   SceneParameters parameters      = coarse_scene();
   parameters.load.velocity        = 2.;
   parameters.protocol.slide_steps = 15;
-  const Scene<2>           scene(parameters);
+  const Scene<2>        scene(parameters);
   const ForecastNumbers found = forecast_numbers(parameters, scene);
   const Surface        &tool  = scene.tool_surface;
   const double          length =
@@ -72,7 +72,7 @@ TEST(AccuracyForecast, advises_settings_for_the_wanted_error)
   parameters.mesh.spans      = 80;
   parameters.mesh.refinement = 2;
   const Scene<2> scene(parameters);
-  const auto  advice = advise(parameters, scene);
+  const auto     advice = advise(parameters, scene);
   ASSERT_EQ(advice.size(), 3u);
   // Heat gets 2 (45/(7800 450) 0.25e-6)^(1/2) m = 3.6 um far, the tool is
   // 0.68 um rough.

@@ -18,9 +18,9 @@ TEST(FlowPockets, falls_into_pockets_that_keep_their_oil)
       SCOPED_TRACE(compressible);
       parameters.lubrication.coupling.tolerance = tolerance;
       parameters.lubrication.flow.compressible  = compressible;
-      Scene<2>        scene(parameters);
-      SlidingRun<2>   run(parameters, scene);
-      const double start = scene.gap_flow->state().reference_volume;
+      Scene<2>      scene(parameters);
+      SlidingRun<2> run(parameters, scene);
+      const double  start = scene.gap_flow->state().reference_volume;
       EXPECT_LT(scene.gap_flow->flow().volume(), start);
       run.run(
         [&, limit = tolerance, changes = compressible](const SlidingRun<2> &) {
@@ -62,9 +62,9 @@ TEST(FlowPockets, says_that_its_room_vanishes)
   parameters.load.pressure                 = 5e6;
   parameters.lubrication.sealing_gap       = 0.9995 * 0.1e-6;
   parameters.lubrication.flow.compressible = true;
-  Scene<2>       scene(parameters);
-  SlidingRun<2>  run(parameters, scene);
-  std::string message;
+  Scene<2>      scene(parameters);
+  SlidingRun<2> run(parameters, scene);
+  std::string   message;
   try
     {
       run.run([](const SlidingRun<2> &) {});
@@ -116,8 +116,8 @@ TEST(FlowPockets, oil_waits_until_it_fills_the_void)
       SceneParameters parameters               = scene_with_pockets();
       parameters.lubrication.wetting           = 0.95;
       parameters.lubrication.flow.compressible = compressible;
-      Scene<2>          scene(parameters);
-      SlidingRun<2>     run(parameters, scene);
+      Scene<2>       scene(parameters);
+      SlidingRun<2>  run(parameters, scene);
       LubricantState start = scene.gap_flow->state();
       EXPECT_NEAR(start.reference_volume / start.void_volume, 0.95, 1e-12);
       EXPECT_TRUE(scene.gap_flow->flow().space().cells().empty());
@@ -190,7 +190,7 @@ TEST(FlowPockets, hold_oil_where_it_is_asked_for)
   parameters.tool.amplitudes     = {0.2e-6};
   parameters.tool.phases         = {0.};
   parameters.lubrication.pockets = {4e-6, 6e-6};
-  const Scene<2>          scene(parameters);
+  const Scene<2>       scene(parameters);
   const LubricantState state = scene.gap_flow->state();
   EXPECT_EQ(state.n_pockets, 2U);
   EXPECT_NEAR(state.reference_volume / state.void_volume, 0.5, 1e-9);

@@ -19,7 +19,7 @@ TEST(GapFlow, carries_load_and_inertia)
 
   Scene<2>      scene(parameters);
   SlidingRun<2> run(parameters, scene);
-  const auto mass = scene.equilibrium->make_matrix();
+  const auto    mass = scene.equilibrium->make_matrix();
   scene.chip->assemble_mass(*mass);
   const dealii::Vector<double> lift = scene.translation(0., 1.);
   dealii::Vector<double>       inertia(lift.size());
@@ -75,7 +75,7 @@ namespace
    *  integral of h^-n over the period, the flow is q = U I_2/(2 I_3) and the
    *  shear stress on the sliding wall -4 eta U/h + 6 eta q/h^2. */
   double
-  shear_of_slider(const Scene<2>           &scene,
+  shear_of_slider(const Scene<2>        &scene,
                   const SceneParameters &parameters,
                   const double           eta)
   {
@@ -119,7 +119,7 @@ TEST(GapFlow, is_as_warm_as_the_mean_of_its_walls)
 
   Scene<2>      scene(parameters);
   SlidingRun<2> run(parameters, scene);
-  auto       hot = scene.chip->history();
+  auto          hot = scene.chip->history();
   for (MaterialState &point : hot)
     point.temperature += 100.;
   scene.chip->set_history(hot);

@@ -166,7 +166,7 @@ TEST(InterfaceOfScene, hot_chip_that_touches_everywhere_slides_at_m_k)
     amplitude *= 0.5;
   Scene<2>      scene(parameters);
   SlidingRun<2> run(parameters, scene);
-  const auto strength = [&]() {
+  const auto    strength = [&]() {
     return scene.shear_strength(parameters.load.velocity /
                                 parameters.interface.shear_layer);
   };

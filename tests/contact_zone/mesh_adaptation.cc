@@ -55,8 +55,8 @@ TEST(MeshAdaptation, moves_with_the_contacts_and_loses_no_plastic_work)
   parameters.protocol.ramp_fraction = 0.04;
   parameters.protocol.slide_steps   = 120;
   std::set<unsigned int> unknowns;
-  Scene<2>                  scene(parameters);
-  SlidingRun<2>             run(parameters, scene);
+  Scene<2>               scene(parameters);
+  SlidingRun<2>          run(parameters, scene);
   run.run([&](const SlidingRun<2> &) { unknowns.insert(scene.n_unknowns()); });
   const RemeshReport &report = run.state().remeshing;
   EXPECT_GE(report.remeshes, 15u);

@@ -24,7 +24,8 @@ namespace
   {
     SceneParameters parameters   = narrow_scene();
     parameters.tool.wave_numbers = {2., 1.};
-    parameters.tool.across       = {sense, -3. * sense};
+    parameters.tool.across       = {sense, -2. * sense};
+    parameters.mesh.across       = 8;
     parameters.tool.amplitudes   = {0.15e-6, 0.05e-6};
     parameters.tool.phases       = {0.3, 1.};
     return parameters;
@@ -118,7 +119,7 @@ TEST(Patch, tool_that_is_moved_across_by_whole_elements_changes_nothing)
 {
   SceneParameters parameters = oblique_scene(1.);
   const PatchRun  here(parameters);
-  const double    part = 2. / 6.; // of the width, in elements
+  const double    part = 0.5; // of the width, in elements
   for (std::size_t k = 0; k < parameters.tool.phases.size(); ++k)
     parameters.tool.phases[k] += 2. * M_PI * parameters.tool.across[k] * part;
   const PatchRun there(parameters);
@@ -217,8 +218,9 @@ TEST(Patch, says_which_entries_do_not_make_a_patch)
   expect_said(refusal(section("Mesh", "Spans across = 16")),
               "found 16 with 3 refinement levels");
   expect_said(refusal(section("Tool", "Wave numbers across = 1, 2")),
-              "Tool/Wave numbers across': found 2 values; expected 4");
-  expect_said(refusal(section("Tool", "Wave numbers across = 1, 2, 0.5, 0")),
+              "Tool/Wave numbers across': found 2 values; expected 6");
+  expect_said(refusal(
+                section("Tool", "Wave numbers across = 1, 2, 0.5, 0, 0, 0")),
               "found 0.5; expected whole numbers");
   // The default mesh is that of a profile.
   expect_said(refusal(""), "elements; expected at most 30000");

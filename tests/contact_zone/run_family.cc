@@ -11,7 +11,8 @@ TEST(RunFamily, members_differ_in_one_thing_each)
   SceneParameters parameters           = coarse_scene();
   parameters.protocol.slide_steps      = 15;
   parameters.protocol.strain_increment = 0.1;
-  const Scene<2> scene(parameters), coarse(with_fineness(parameters, {-1, 0, 0})),
+  const Scene<2> scene(parameters),
+    coarse(with_fineness(parameters, {-1, 0, 0})),
     fine(with_fineness(parameters, {1, 0, 0})),
     soft(with_fineness(parameters, {0, 0, -1}));
   EXPECT_NEAR(coarse.contact_element_length(),

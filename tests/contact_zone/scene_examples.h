@@ -27,11 +27,11 @@ namespace asperity
   narrow_scene()
   {
     SceneParameters parameters     = coarse_scene();
-    parameters.mesh.spans          = 12;
+    parameters.mesh.spans          = 16;
     parameters.protocol.ramp_steps = 3, parameters.protocol.slide_steps = 4;
     parameters.solver.tolerance   = 1e-9;
     parameters.geometry.dimension = 3;
-    parameters.geometry.width     = 0.5 * parameters.geometry.length;
+    parameters.geometry.width     = 3. / 8. * parameters.geometry.length;
     return parameters;
   }
 

@@ -39,7 +39,7 @@ namespace
   heat_of_points(const CompleteRun &run)
   {
     const SolidAssembler<2> &chip = *run.scene.chip;
-    double                heat = 0.;
+    double                   heat = 0.;
     for (std::size_t q = 0; q < chip.history().size(); ++q)
       heat += chip.table().JxW[q] * capacity *
               (chip.history()[q].temperature - run.parameters.load.temperature);

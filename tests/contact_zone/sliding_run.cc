@@ -248,9 +248,9 @@ TEST(SlidingRun, gives_up_with_the_last_good_state)
   SceneParameters parameters           = coarse_scene();
   parameters.solver.maximum_iterations = 1;
   parameters.solver.maximum_cuts       = 0;
-  Scene<2>        scene(parameters);
-  SlidingRun<2>   run(parameters, scene);
-  unsigned int n_good = 0;
+  Scene<2>      scene(parameters);
+  SlidingRun<2> run(parameters, scene);
+  unsigned int  n_good = 0;
   try
     {
       run.run([&](const SlidingRun<2> &) { ++n_good; });
@@ -274,8 +274,8 @@ TEST(SlidingRun, halves_steps_in_which_the_strain_grows_too_much)
   const double      limit              = 0.05;
   SceneParameters   parameters         = coarse_scene();
   parameters.protocol.strain_increment = limit;
-  Scene<2>                      scene(parameters);
-  SlidingRun<2>                 run(parameters, scene);
+  Scene<2>                   scene(parameters);
+  SlidingRun<2>              run(parameters, scene);
   std::vector<MaterialState> before  = scene.chip->history();
   double                     largest = 0.;
   run.run([&](const SlidingRun<2> &) {

@@ -103,7 +103,7 @@ TEST(Scene, tool_starts_the_initial_gap_above_the_chip)
   parameters.chip.phases          = {1., 2., 3.};
   parameters.geometry.initial_gap = 0.05e-6;
   const Scene<2> scene(parameters);
-  double      smallest = 1.;
+  double         smallest = 1.;
   for (unsigned int i = 0; i < 20000; ++i)
     {
       const double x           = L * i / 20000;
@@ -122,7 +122,7 @@ TEST(Scene, tool_starts_the_initial_gap_above_the_chip)
 TEST(Scene, bottom_load_is_the_period)
 {
   const Scene<2> scene(coarse_scene());
-  double      sum = 0.;
+  double         sum = 0.;
   for (const double value : scene.bottom_load())
     sum += value;
   EXPECT_NEAR(sum, L, 1e-12 * L);
@@ -253,8 +253,8 @@ TEST(Scene, measured_heights_point_out_of_the_tool)
     ASPERITY_SOURCE_DIR "/parameter_files/surfaces/blasted_tool.x3p";
   topography.s_filter = 5e-6;
   topography.length   = 40e-6;
-  const Scene<2>   scene(parameters);
-  const Surface measured = make_surface(parameters.tool, 1.);
+  const Scene<2> scene(parameters);
+  const Surface  measured = make_surface(parameters.tool, 1.);
   EXPECT_NEAR(scene.length, measured.period, 1e-15);
   double highest = 0.;
   for (unsigned int i = 0; i < 4000; ++i)

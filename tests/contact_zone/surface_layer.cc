@@ -10,7 +10,7 @@ using namespace asperity;
 TEST(SurfaceLayer, is_linear_in_depth_and_along_the_edge_over_the_period)
 {
   const SceneParameters      parameters = coarse_scene();
-  const Scene<2>                scene(parameters);
+  const Scene<2>             scene(parameters);
   const BasisTable<2>       &body    = scene.chip->table();
   std::vector<MaterialState> history = scene.chip->history();
   for (std::size_t q = 0; q < history.size(); ++q)
@@ -49,7 +49,7 @@ TEST(SurfaceLayer, is_linear_in_depth_and_along_the_edge_over_the_period)
 // A strain that falls steeply towards the edge ends at zero there.
 TEST(SurfaceLayer, has_no_negative_strain)
 {
-  const Scene<2>                scene(coarse_scene());
+  const Scene<2>             scene(coarse_scene());
   const BasisTable<2>       &body    = scene.chip->table();
   std::vector<MaterialState> history = scene.chip->history();
   double                     top     = 0.;

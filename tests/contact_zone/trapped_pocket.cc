@@ -152,13 +152,13 @@ namespace
       return std::make_shared<NeoHooke>(elasticity);
     }
 
-    std::shared_ptr<SplineSpace<2>>   space;
-    SplineCurve                       tool;
+    std::shared_ptr<SplineSpace<2>>      space;
+    SplineCurve                          tool;
     SolidAssembler<2>                    solid;
     std::unique_ptr<ContactAssembler<2>> contact;
-    std::unique_ptr<Equilibrium>      equilibrium;
-    BasisTable<2>                     bottom;
-    Vector                            u;
+    std::unique_ptr<Equilibrium>         equilibrium;
+    BasisTable<2>                        bottom;
+    Vector                               u;
   };
 
   /** The exact solution: a and p_f/p* at P/p* = 0.2, 0.5, 1, 2. */
