@@ -12,7 +12,7 @@ from run_output import RunError, Vtu, heading, part_at, read_summary, steps_of
 UM = 1e6  # micrometres a metre
 MPA = 1e-6
 PRESSURE = "contact pressure [Pa]"
-STRETCH = 3.  # of heights in space, so that the asperities are seen
+RELIEF = 0.08  # height over length in space, so that the asperities are seen
 
 
 def is_patch(directory):
@@ -56,13 +56,16 @@ def draw_map(figure, axes, face, values, label, colours, limit=None):
 
 
 def draw_in_space(axes, face, limit):
+    """@return the factor on heights"""
     corners = face.corners.copy()
-    corners[..., 2] *= STRETCH
+    stretch = max(1., np.round(RELIEF * np.ptp(corners[..., 0]) /
+                               max(np.ptp(corners[..., 2]), 1e-12)))
+    corners[..., 2] *= stretch
     colours = plt.get_cmap("magma_r")(np.clip(face.pressure / limit, 0., 1.))
     # Free squares keep a light grey, so that the relief is seen.
     light = 0.75 + 0.2 * (face.height - face.height.min()) / max(
         np.ptp(face.height), 1e-12)
-    free = face.pressure <= 0.
+    free = face.pressure <= 0.02 * limit
     colours[free, :3] = light[free, None]
     axes.add_collection3d(Poly3DCollection(corners, facecolors=colours,
                                            edgecolors="none"))
@@ -71,13 +74,12 @@ def draw_in_space(axes, face, limit):
         low, high = corners[..., i].min(), corners[..., i].max()
         spans.append(max(high - low, 1e-3))
         set_limits(low, low + spans[-1])
-    axes.set_box_aspect(spans)
+    axes.set_box_aspect(spans, zoom=0.88)
     axes.view_init(elev=35., azim=-60.)
     axes.set_xlabel("x [µm]")
     axes.set_ylabel("y [µm]")
     axes.set_zticks([])
-    axes.set_title(f"Face of the chip, heights {STRETCH:.3g} times, coloured where "
-                   "the tool presses", fontsize=10)
+    return stretch
 
 
 def plot_patch(directory, step, target):
@@ -86,14 +88,19 @@ def plot_patch(directory, step, target):
     touching = face.pressure[face.pressure > 0.]
     # A few hard points would else lighten all the rest.
     limit = np.quantile(touching, 0.99) if touching.size else 1.
-    figure = plt.figure(figsize=(11., 9.), constrained_layout=True)
-    grid = figure.add_gridspec(2, 2, height_ratios=(1.3, 1.))
-    draw_in_space(figure.add_subplot(grid[0, :], projection="3d"), face, limit)
+    figure = plt.figure(figsize=(11., 9.))
+    grid = figure.add_gridspec(2, 2, height_ratios=(1.3, 1.), left=0.07,
+                               right=0.95, bottom=0.07, top=0.93, wspace=0.3)
+    # Axes in space are square and cut off what is beyond: larger than the row.
+    space = figure.add_axes((0., 0.23, 1., 0.88), projection="3d", zorder=-1)
+    stretch = draw_in_space(space, face, limit)
     draw_map(figure, figure.add_subplot(grid[1, 0]), face, face.pressure,
              "contact pressure [MPa]", "magma_r", limit)
     draw_map(figure, figure.add_subplot(grid[1, 1]), face, face.height,
              "height of the chip [µm]", "viridis")
     figure.suptitle(heading(directory, read_summary(directory)) +
-                    f", t = {face.time * 1e6:.4g} µs")
+                    f", t = {face.time * 1e6:.4g} µs\nFace of the chip, heights "
+                    f"{stretch:.0f} times, coloured where the tool presses; it "
+                    "slides to the right", fontsize=11)
     figure.savefig(target, dpi=110)
     plt.close(figure)
