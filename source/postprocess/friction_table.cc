@@ -216,13 +216,13 @@ namespace asperity
        "Of the tangent, by this process.",
        &Row::factorisations,
        ""},
-      {"wall time", wall, "Of the step.", &Row::wall_time, ""},
       {"T_transverse",
        line_load,
        "Force on the chip across its motion (y in three dimensions), per metre "
        "of its width as T_x and T_y.",
        &Row::T_transverse,
-       ""}};
+       ""},
+      {"wall time", wall, "Of the step.", &Row::wall_time, ""}};
   } // namespace
 
 

@@ -72,7 +72,7 @@ TEST(FrictionTable, headings_name_every_unit_and_rows_are_on_disk_at_once)
     "void volume [m^2],oil volume [m^2],oil reference volume [m^2],"
     "oil in [m^2],oil out [m^2],pockets [-],"
     "coupling iterations [-],newton iterations [-],"
-    "factorisations [-],wall time [s],T_transverse [N/m]");
+    "factorisations [-],T_transverse [N/m],wall time [s]");
   EXPECT_EQ(rows[1].substr(0, 8), "8,8e-09,");
   EXPECT_NE(rows[1].find(",0.3333333333333333,0,2500000000,0,0,298.15,"),
             std::string::npos);
