@@ -294,15 +294,29 @@ namespace asperity
 
 
 
+  namespace
+  {
+    /** What is asked of profiles and of patches. */
+    template <int dim>
+    SceneAudit
+    audit_motion(const SceneParameters &parameters, const Scene<dim> &scene)
+    {
+      SceneAudit audit;
+      audit_time_scales(parameters, scene, audit);
+      audit_resolution(parameters, scene, audit);
+      audit_numerics(parameters, scene, audit);
+      audit_distance(parameters, scene, audit);
+      audit_steps(parameters, scene, audit);
+      return audit;
+    }
+  } // namespace
+
+
+
   SceneAudit
   audit_scene(const SceneParameters &parameters, const Scene<2> &scene)
   {
-    SceneAudit audit;
-    audit_time_scales(parameters, scene, audit);
-    audit_resolution(parameters, scene, audit);
-    audit_numerics(parameters, scene, audit);
-    audit_distance(parameters, scene, audit);
-    audit_steps(parameters, scene, audit);
+    SceneAudit audit = audit_motion(parameters, scene);
     audit_waves(parameters, scene, audit);
     audit_lubricant(parameters, scene, asperities_of(scene).length, audit);
     audit_interface(parameters, audit);
@@ -316,12 +330,7 @@ namespace asperity
   SceneAudit
   audit_scene(const SceneParameters &parameters, const Scene<3> &scene)
   {
-    SceneAudit audit;
-    audit_time_scales(parameters, scene, audit);
-    audit_resolution(parameters, scene, audit);
-    audit_numerics(parameters, scene, audit);
-    audit_distance(parameters, scene, audit);
-    audit_steps(parameters, scene, audit);
+    SceneAudit audit = audit_motion(parameters, scene);
     audit_interface(parameters, audit);
     if (scene.tool_surface.topography)
       audit_treatment(parameters.tool.topography,

@@ -8,6 +8,20 @@ namespace asperity
 {
   namespace
   {
+    /** What is interpolated between rows and averaged over a window. */
+    constexpr double FrictionRow::*averaged[] = {&FrictionRow::T_x,
+                                                 &FrictionRow::T_y,
+                                                 &FrictionRow::T_transverse,
+                                                 &FrictionRow::contact_fraction,
+                                                 &FrictionRow::interface_T_x,
+                                                 &FrictionRow::interface_T_y,
+                                                 &FrictionRow::oil_pressure,
+                                                 &FrictionRow::oil_T_x,
+                                                 &FrictionRow::shear_T_x,
+                                                 &FrictionRow::shear_T_y,
+                                                 &FrictionRow::friction_heat,
+                                                 &FrictionRow::tool_heat};
+
     /** The piecewise linear history between two rows at time t. */
     FrictionRow
     interpolate(const FrictionRow &a, const FrictionRow &b, const double t)
@@ -15,18 +29,7 @@ namespace asperity
       const double w   = (t - a.time) / (b.time - a.time);
       FrictionRow  row = b;
       row.time         = t;
-      for (double FrictionRow::*entry : {&FrictionRow::T_x,
-                                         &FrictionRow::T_y,
-                                         &FrictionRow::T_transverse,
-                                         &FrictionRow::contact_fraction,
-                                         &FrictionRow::interface_T_x,
-                                         &FrictionRow::interface_T_y,
-                                         &FrictionRow::oil_pressure,
-                                         &FrictionRow::oil_T_x,
-                                         &FrictionRow::shear_T_x,
-                                         &FrictionRow::shear_T_y,
-                                         &FrictionRow::friction_heat,
-                                         &FrictionRow::tool_heat})
+      for (double FrictionRow::*const entry : averaged)
         row.*entry = (1. - w) * a.*entry + w * b.*entry;
       return row;
     }
@@ -76,17 +79,8 @@ namespace asperity
         const double half   = 0.5 * (t1 - t0);
         const double mu_a   = friction_coefficient(a.T_x, a.T_y, way),
                      mu_b   = friction_coefficient(b.T_x, b.T_y, way);
-        sum.T_x += half * (a.T_x + b.T_x);
-        sum.T_y += half * (a.T_y + b.T_y);
-        sum.T_transverse += half * (a.T_transverse + b.T_transverse);
-        sum.interface_T_x += half * (a.interface_T_x + b.interface_T_x);
-        sum.interface_T_y += half * (a.interface_T_y + b.interface_T_y);
-        sum.contact_fraction +=
-          half * (a.contact_fraction + b.contact_fraction);
-        sum.oil_pressure += half * (a.oil_pressure + b.oil_pressure);
-        sum.oil_T_x += half * (a.oil_T_x + b.oil_T_x);
-        sum.shear_T_x += half * (a.shear_T_x + b.shear_T_x);
-        sum.shear_T_y += half * (a.shear_T_y + b.shear_T_y);
+        for (double FrictionRow::*const entry : averaged)
+          sum.*entry += half * (a.*entry + b.*entry);
         mu += half * (mu_a + mu_b);
         mu_squared += half * (mu_a * mu_a + mu_b * mu_b);
       }
