@@ -115,10 +115,11 @@ namespace
           edit_distance(nearest->name(), word))
         nearest = &command;
     const bool similar = edit_distance(nearest->name(), word) <= 2;
-    throw InputError(
-      quoted(word) + " is neither a command nor a parameter file (*.prm); " +
-      (similar ? "did you mean 'asperity " + nearest->name() + "'?" :
-                 "'asperity --help' lists the commands."));
+    throw InputError(quoted_text(word) +
+                     " is neither a command nor a parameter file (*.prm); " +
+                     (similar ?
+                        "did you mean 'asperity " + nearest->name() + "'?" :
+                        "'asperity --help' lists the commands."));
   }
 
   /** Becomes the program asperity_scenes, with the same arguments. */
@@ -166,8 +167,8 @@ namespace
       refuse_command(word);
     if (arguments.size() > 1)
       throw InputError("One parameter file is expected, but " +
-                       quoted_name(arguments[1]) + " follows " + quoted(word) +
-                       ".");
+                       quoted_name(arguments[1]) + " follows " +
+                       quoted_text(word) + ".");
     become_scenes(argv);
   }
 

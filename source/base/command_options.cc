@@ -53,18 +53,18 @@ namespace asperity
         word.resize(std::min(word.size(), equals));
         if (known != nullptr &&
             std::find(known->begin(), known->end(), word) == known->end())
-          throw InputError(command + " has no option " + quoted(word) +
+          throw InputError(command + " has no option " + quoted_text(word) +
                            "; its options are " + join(*known, ", ") + ".");
         if (!has_value && ++i == arguments.size())
-          throw InputError("The option " + quoted(word) + " of " + command +
-                           " needs a value behind it.");
+          throw InputError("The option " + quoted_text(word) + " of " +
+                           command + " needs a value behind it.");
         if (!has_value)
           value = arguments[i];
         if (word == "--set")
           settings.push_back(value);
         else if (!values.emplace(word, value).second)
-          throw InputError("The option " + quoted(word) + " of " + command +
-                           " is given twice.");
+          throw InputError("The option " + quoted_text(word) + " of " +
+                           command + " is given twice.");
       }
   }
 } // namespace asperity

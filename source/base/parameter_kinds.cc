@@ -38,7 +38,7 @@ namespace asperity
              const std::string &unit)
     {
       if (!range.contains(value))
-        throw InputError(quoted(text) + " is out of range; " +
+        throw InputError(quoted_text(text) + " is out of range; " +
                          range.description(unit) + " is expected");
       return value;
     }
@@ -69,13 +69,13 @@ namespace asperity
           value = 0.5; // falls through to the one message of this function
         }
       if (value != std::floor(value) || std::abs(value) > 4294967295.)
-        throw InputError(quoted(text) +
+        throw InputError(quoted_text(text) +
                          " is not a whole number; a whole number" + expected +
                          " is expected");
       if (value < 0 || !range.contains(value))
-        throw InputError(quoted(text) + " is out of range; a whole number" +
-                         (expected.empty() ? ", 0 or more," : expected) +
-                         " is expected");
+        throw InputError(
+          quoted_text(text) + " is out of range; a whole number" +
+          (expected.empty() ? ", 0 or more," : expected) + " is expected");
       return static_cast<unsigned int>(value);
     }
 
@@ -110,7 +110,7 @@ namespace asperity
       for (std::size_t at = text.find(',', 1); at != std::string::npos;
            at             = text.find(',', at + 1))
         if (is_digit(at - 1) && is_digit(at + 1))
-          throw InputError(quoted(text) +
+          throw InputError(quoted_text(text) +
                            " has a comma between two digits; decimals take a "
                                        "point, and a comma between two numbers is followed "
                                        "by a blank");
@@ -275,7 +275,7 @@ namespace asperity
       new_entry(key, "flag", "true, false", sentence, Need::optional);
     entry.assign = [&variable](const std::string &text) {
       if (text != "true" && text != "false")
-        throw InputError(quoted(text) + " is neither 'true' nor 'false'");
+        throw InputError(quoted_text(text) + " is neither 'true' nor 'false'");
       variable = (text == "true");
       return text;
     };
@@ -300,7 +300,7 @@ namespace asperity
             assign(i);
             return text;
           }
-      throw InputError(quoted(text) + " is not a choice; one of " +
+      throw InputError(quoted_text(text) + " is not a choice; one of " +
                        join(names, ", ") + " is expected");
     };
     declare(std::move(entry), default_name);

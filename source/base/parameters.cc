@@ -142,10 +142,10 @@ namespace asperity
         }
     const auto place = [](const std::string &name) {
       return name.empty() ? std::string("at the top level") :
-                            "in subsection " + quoted(name);
+                            "in subsection " + quoted_text(name);
     };
-    std::string message =
-      origin + "There is no entry " + quoted(key) + " " + place(section) + "; ";
+    std::string message = origin + "There is no entry " + quoted_text(key) +
+                          " " + place(section) + "; ";
     if (nearest != nullptr &&
         nearest_distance / 100 <= std::max<std::size_t>(2, key.size() / 2))
       message += "did you mean " + quoted_name(nearest->key) + " " +
@@ -167,7 +167,7 @@ namespace asperity
       {
         entry.value = entry.assign(text);
         if (lasting.find_first_of("\r\n") != std::string::npos)
-          throw InputError(quoted(lasting) +
+          throw InputError(quoted_text(lasting) +
                            " has a line break, which a parameter file cannot "
                            "hold; a text of one line is expected");
       }

@@ -195,7 +195,7 @@ namespace asperity
       const auto        result =
         std::from_chars(text.data() + begin, text.data() + text.size(), value);
       if (result.ec == std::errc::result_out_of_range)
-        throw InputError(quoted(text) +
+        throw InputError(quoted_text(text) +
                          " holds a number that the program cannot; one "
                          "between 2.3e-308 and 1.7e308 in size is expected");
       if (result.ec != std::errc() || !std::isfinite(value))
@@ -299,28 +299,30 @@ namespace asperity
     const std::size_t n         = read_number(trimmed, value);
     const std::string unit_name = trim(trimmed.substr(n));
     if (n == 0)
-      throw InputError(quoted(trimmed) + " does not start with a number; " +
+      throw InputError(quoted_text(trimmed) +
+                       " does not start with a number; " +
                        expectation(dimension));
     if (unit_name.empty())
       {
         if (dimension == Dimension::none)
           return value;
-        throw InputError(quoted(trimmed) + " has no unit; " +
+        throw InputError(quoted_text(trimmed) + " has no unit; " +
                          expectation(dimension));
       }
     const Unit *unit = find_unit(unit_name);
     if (begins_with_decimal_comma(unit_name))
-      throw InputError(quoted(trimmed) +
+      throw InputError(quoted_text(trimmed) +
                        " has a decimal comma; a decimal point is expected");
     if (unit == nullptr)
-      throw InputError(quoted(trimmed) + " has the unknown unit " +
-                       quoted(unit_name) + "; " + expectation(dimension));
+      throw InputError(quoted_text(trimmed) + " has the unknown unit " +
+                       quoted_text(unit_name) + "; " + expectation(dimension));
     if (unit->dimension != dimension)
-      throw InputError(quoted(trimmed) + " is a " + to_string(unit->dimension) +
-                       "; " + expectation(dimension));
+      throw InputError(quoted_text(trimmed) + " is a " +
+                       to_string(unit->dimension) + "; " +
+                       expectation(dimension));
     const double si = unit->to_si(value);
     if (!std::isfinite(si))
-      throw InputError(quoted(trimmed) + " is too large");
+      throw InputError(quoted_text(trimmed) + " is too large");
     return si;
   }
 
@@ -357,6 +359,12 @@ namespace asperity
     return unit.name == std::string("1") ? number : number + " " + unit.name;
   }
 
+  std::string
+  per_cent(const double share)
+  {
+    return format_quantity(100. * share, "1", 2) + " %";
+  }
+
   double
   parse_number(const std::string &text)
   {
@@ -364,10 +372,10 @@ namespace asperity
     double            value   = 0;
     const std::size_t n       = read_number(trimmed, value);
     if (n != 0 && begins_with_decimal_comma(trimmed.substr(n)))
-      throw InputError(quoted(trimmed) +
+      throw InputError(quoted_text(trimmed) +
                        " has a decimal comma; a decimal point is expected");
     if (n == 0 || n != trimmed.size())
-      throw InputError(quoted(trimmed) + " is not a plain number");
+      throw InputError(quoted_text(trimmed) + " is not a plain number");
     return value;
   }
 

@@ -66,7 +66,7 @@ namespace asperity
   }
 
   std::string
-  quoted(const std::string &text)
+  quoted_text(const std::string &text)
   {
     constexpr std::size_t most = 60;
 
@@ -84,7 +84,7 @@ namespace asperity
   {
     constexpr std::size_t longest_path = 4096;
 
-    return name.size() > longest_path ? quoted(name) :
+    return name.size() > longest_path ? quoted_text(name) :
                                         "'" + printable(name) + "'";
   }
 

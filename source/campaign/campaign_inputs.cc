@@ -220,11 +220,11 @@ namespace asperity
       for (const std::string &position : split(positions, ','))
         {
           if (scene.parameters.tool.kind != SurfaceKind::measured)
-            throw InputError(where + ": found " + quoted(position) +
+            throw InputError(where + ": found " + quoted_text(position) +
                              ", but the tool of the base scene is not measured "
                              "(Tool/Kind); expected nothing.");
           if (scene.parameters.geometry.dimension == 3)
-            throw InputError(where + ": found " + quoted(position) +
+            throw InputError(where + ": found " + quoted_text(position) +
                              ", but the base scene is a patch "
                              "(Geometry/Dimension = 3), whose window is in the "
                              "middle of the map; expected nothing.");

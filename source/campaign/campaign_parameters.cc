@@ -255,7 +255,7 @@ namespace asperity
         throw InputError(parameters.where("Campaign/Profile positions") +
                          ": found " +
                          (position.empty() ? "nothing between two commas" :
-                                             quoted(position) + " twice") +
+                                             quoted_text(position) + " twice") +
                          "; expected positions that differ.");
   }
 

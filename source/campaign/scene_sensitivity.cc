@@ -36,7 +36,7 @@ namespace asperity
     constexpr double no_friction = 1e-4;
 
     std::string
-    per_cent(const double share)
+    tenths_of_per_cent(const double share)
     {
       std::ostringstream text;
       text << std::fixed << std::setprecision(1) << 100. * share << " %";
@@ -210,9 +210,9 @@ namespace asperity
       {
         const Spread spread = sensitivity.spread(kind);
         if (spread.below > 0. || spread.above > 0.)
-          out << name(kind) << ": -" << per_cent(spread.below) << " +"
-              << per_cent(spread.above) << ", mu = " << interval(mu, spread)
-              << "\n";
+          out << name(kind) << ": -" << tenths_of_per_cent(spread.below) << " +"
+              << tenths_of_per_cent(spread.above)
+              << ", mu = " << interval(mu, spread) << "\n";
       }
     out << "all of them: mu = " << interval(mu, sensitivity.spread())
         << ", each choice by itself and added by their squares; constants "
@@ -285,7 +285,7 @@ namespace asperity
               throw InputError(path +
                                ": no number that is not negative stands "
                                "at " +
-                               quoted(place.to_string()) +
+                               quoted_text(place.to_string()) +
                                "; expected the sensitivity.json that 'asperity "
                                "sensitivity' writes.");
             *share = document[place];

@@ -60,7 +60,7 @@ namespace asperity
         return 0;
       const unsigned int least = 2 * n_choices_at_a_time + 2;
       const auto         wrong = [&]() {
-        return InputError("--sobol: found " + quoted(option->second) +
+        return InputError("--sobol: found " + quoted_text(option->second) +
                           "; expected a whole number of runs, at least " +
                           std::to_string(least) + ".");
       };

@@ -24,12 +24,6 @@ namespace asperity
     /** Most halvings at once, of elements and of the others. Estimates reach no
      *  further. */
     constexpr int most_of_mesh = 2, most = 4;
-
-    std::string
-    per_cent(const double share)
-    {
-      return format_quantity(100. * share, "1", 2) + " %";
-    }
   } // namespace
 
 

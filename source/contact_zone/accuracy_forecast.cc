@@ -29,8 +29,8 @@ namespace asperity
 
     /** A recommendation is at most one halving coarser than what is there, and
      *  half the forecast error may hide. */
-    constexpr int    coarsest = 1;
-    constexpr double safety   = 2.;
+    constexpr int    coarsest           = 1;
+    constexpr double safety_of_forecast = 2.;
 
     /** Time of a run over that of a dry one, as measured on the lubricated
      *  scenes. */
@@ -60,12 +60,6 @@ namespace asperity
       for (double time = 0.; time < end; time = protocol.next_time(time))
         ++n;
       return n;
-    }
-
-    std::string
-    per_cent(const double share)
-    {
-      return format_quantity(100. * share, "1", 2) + " %";
     }
 
     /** What the audit would choose, were all models `automatic`, and heat by
@@ -209,7 +203,7 @@ namespace asperity
             finer.penalty_factor =
               std::ldexp(numbers.penalty_factor, penalty - mesh);
             const AccuracyForecast candidate = forecast(finer, oil);
-            if (safety * candidate.total() <= wanted &&
+            if (safety_of_forecast * candidate.total() <= wanted &&
                 (!best || candidate.time < of_best.time))
               {
                 best    = Fineness{mesh, step, penalty};

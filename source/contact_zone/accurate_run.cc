@@ -8,12 +8,6 @@ namespace asperity
 {
   namespace
   {
-    std::string
-    per_cent(const double share)
-    {
-      return format_quantity(100. * share, "1", 2) + " %";
-    }
-
     /** That mu is off by more than is wanted, most of it by its largest source.
      *  @param remedy what makes this smaller */
     std::string

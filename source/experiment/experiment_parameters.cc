@@ -34,7 +34,7 @@ namespace asperity
               break; // the sentence below says it
             }
         }
-      throw InputError(parameters.where(path) + ": found " + quoted(text) +
+      throw InputError(parameters.where(path) + ": found " + quoted_text(text) +
                        "; expected a force in N or kN, such as 1196 N.");
     }
 
@@ -299,7 +299,7 @@ namespace asperity
       parse_force(normal_force, "Pin/Normal force", parameters);
     if (!(pin.normal_force > 0.))
       throw InputError(parameters.where("Pin/Normal force") + ": found " +
-                       quoted(normal_force) + "; expected more than 0 N.");
+                       quoted_text(normal_force) + "; expected more than 0 N.");
     pin.radius   = needed(radius, "Pin/Radius", parameters);
     pin.velocity = needed(pin_velocity, "Pin/Velocity", parameters);
     pin.mu =

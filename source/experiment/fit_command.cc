@@ -38,7 +38,7 @@ namespace asperity
             result.v_0 = parse_quantity(entry->second, Dimension::velocity);
             if (!(result.v_0 > 0.))
               throw InputError(
-                quoted(entry->second) +
+                quoted_text(entry->second) +
                 " is no velocity above 0; such a one is expected");
           }
         catch (const InputError &error)

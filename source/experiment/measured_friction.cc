@@ -116,7 +116,8 @@ namespace asperity
         const double value = number(cell, column);
         if (!(value > 0.))
           fail("in the column " + quoted_name(column.heading) + " " +
-               quoted(cell) + " was found, but a positive number is expected");
+               quoted_text(cell) +
+               " was found, but a positive number is expected");
         return value;
       }
 
@@ -320,7 +321,7 @@ namespace asperity
       throw InputError("The measurements " + path_ + " are of the series " +
                        join(known, ", ") +
                        "; one or more of them are expected, as in --series " +
-                       quoted(known.front()) + ".");
+                       quoted_text(known.front()) + ".");
     for (const std::string &name : chosen)
       if (std::find(known.begin(), known.end(), name) == known.end())
         throw InputError("The measurements " + path_ + " have no series " +

@@ -85,7 +85,7 @@ namespace asperity
       {
         const std::size_t equals = setting.find('=');
         if (equals == std::string::npos)
-          throw InputError("The setting " + quoted(setting) +
+          throw InputError("The setting " + quoted_text(setting) +
                            " is not understood; \"name = value unit\" is "
                            "expected.");
         const LawInput &input =

@@ -5,24 +5,6 @@
 
 namespace asperity
 {
-  namespace
-  {
-    template <typename Value>
-    void
-    check_size(const std::string        &name,
-               const std::vector<Value> &values,
-               const std::size_t         expected)
-    {
-      if (values.size() != expected)
-        throw ComputationError(
-          "The field " + quoted_name(name) + " of a line has " +
-          std::to_string(values.size()) + " values, but the line has " +
-          std::to_string(expected) + " points.");
-    }
-  } // namespace
-
-
-
   void
   write_polyline(std::ostream      &out,
                  const Polyline    &line,
@@ -37,12 +19,12 @@ namespace asperity
     internal::PatchRows<2> rows;
     for (const auto &[name, values] : line.vectors)
       {
-        check_size(name, values, n);
+        internal::check_size("line", name, values.size(), n);
         rows.add_vector(name);
       }
     for (const auto &[name, values] : line.scalars)
       {
-        check_size(name, values, n);
+        internal::check_size("line", name, values.size(), n);
         rows.add_scalar(name);
       }
 

@@ -9,24 +9,6 @@
 
 namespace asperity
 {
-  namespace
-  {
-    template <typename Value>
-    void
-    check_size(const std::string        &name,
-               const std::vector<Value> &values,
-               const std::size_t         expected)
-    {
-      if (values.size() != expected)
-        throw ComputationError(
-          "The field " + quoted_name(name) + " of a surface has " +
-          std::to_string(values.size()) + " values, but the surface has " +
-          std::to_string(expected) + " points.");
-    }
-  } // namespace
-
-
-
   void
   write_surface(std::ostream         &out,
                 const SurfacePicture &surface,
@@ -37,12 +19,18 @@ namespace asperity
     internal::PatchRows<3> rows;
     for (const auto &[name, values] : surface.vectors)
       {
-        check_size(name, values, surface.points.size());
+        internal::check_size("surface",
+                             name,
+                             values.size(),
+                             surface.points.size());
         rows.add_vector(name);
       }
     for (const auto &[name, values] : surface.scalars)
       {
-        check_size(name, values, surface.points.size());
+        internal::check_size("surface",
+                             name,
+                             values.size(),
+                             surface.points.size());
         rows.add_scalar(name);
       }
 

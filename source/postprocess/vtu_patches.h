@@ -15,6 +15,23 @@ namespace asperity
 {
   namespace internal
   {
+    /** @throws ComputationError unless a field has a value for each point
+     *  @param what "line" */
+    inline void
+    check_size(const std::string &what,
+               const std::string &name,
+               const std::size_t  n_values,
+               const std::size_t  n_points)
+    {
+      if (n_values != n_points)
+        throw ComputationError("The field " + quoted_name(name) + " of a " +
+                               what + " has " + std::to_string(n_values) +
+                               " values, but the " + what + " has " +
+                               std::to_string(n_points) + " points.");
+    }
+
+
+
     /**
      * The rows of a deal.II patch and their names: fields first, vectors as a
      * row for each component, at the end the coordinates (which deal.II reads

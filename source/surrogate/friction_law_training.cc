@@ -121,12 +121,9 @@ namespace asperity
       constexpr double largest = 0.03;
       if (left_out_error <= largest)
         return "";
-      const auto percent = [](const double share) {
-        return format_quantity(100. * share, "1", 2);
-      };
-      return "Runs that are left out lie " + percent(left_out_error) +
-             " % off the law in the mean, where " + percent(largest) +
-             " % is the most that is expected: by such scatter the 95 % interval "
+      return "Runs that are left out lie " + per_cent(left_out_error) +
+             " off the law in the mean, where " + per_cent(largest) +
+             " is the most that is expected: by such scatter the 95 % interval "
              "has held only 77 to 97 % of other runs; slide farther (Protocol/"
              "Sliding distance) or compute more runs.";
     }

@@ -114,7 +114,7 @@ namespace asperity
           return first;
         if (field == to_string(second))
           return second;
-        fail(quoted(field) + " was found, but " +
+        fail(quoted_text(field) + " was found, but " +
              quoted_name(to_string(first)) + " or " +
              quoted_name(to_string(second)) + " is expected");
       }
@@ -190,7 +190,7 @@ namespace asperity
         const double id = number(field[0], headings[0]);
         sample.id = static_cast<unsigned int>(id >= 0. && id < 4e9 ? id : 0);
         if (sample.id != id)
-          fail(quoted(field[0]) +
+          fail(quoted_text(field[0]) +
                " was found as the number of a run, but a whole number that is "
                "not negative is expected");
         sample.role = one_of(field[1], SampleRole::training, SampleRole::test);
@@ -202,7 +202,7 @@ namespace asperity
           if (sample.status == SampleStatus::done)
             sample.outputs.push_back(number(field[i], headings[i]));
           else if (!field[i].empty())
-            fail(quoted(field[i]) + " was found in the column " +
+            fail(quoted_text(field[i]) + " was found in the column " +
                  quoted_name(headings[i]) +
                  ", but nothing is expected of a run that failed");
         if (sample.status == SampleStatus::done)
@@ -297,7 +297,8 @@ namespace asperity
     const auto headings = SampleFormat::headings(table);
     if (line != join(headings, ","))
       // qualified, since std::quoted() would be found for a variable
-      reader.fail(asperity::quoted(line) + " was found, but the headings " +
+      reader.fail(asperity::quoted_text(line) +
+                  " was found, but the headings " +
                   quoted_name(join(headings, ",")) + " are expected");
     while (reader.next_line(line))
       {

@@ -166,7 +166,7 @@ namespace asperity
     double            value  = 0.;
     if (!parse_decimal(number, value) || !std::isfinite(value))
       file.fail(format,
-                "has " + quoted(number) + " as " + what +
+                "has " + quoted_text(number) + " as " + what +
                   "; a number is expected");
     return value;
   }
@@ -180,7 +180,7 @@ namespace asperity
     const double value = parse_number(file, format, what, text);
     if (value != std::floor(value) || std::abs(value) > 1e15)
       file.fail(format,
-                "has " + quoted(strip(text)) + " as " + what +
+                "has " + quoted_text(strip(text)) + " as " + what +
                   "; a whole number is expected");
     return static_cast<std::int64_t>(value);
   }

@@ -28,7 +28,7 @@ namespace asperity
           const auto equal    = line.find('=');
           if (equal == std::string::npos)
             file.fail(format,
-                      "has the header line " + quoted(line) +
+                      "has the header line " + quoted_text(line) +
                         "; 'key = value' is expected");
           header[strip(line.substr(0, equal))] = strip(line.substr(equal + 1));
         }
@@ -47,7 +47,7 @@ namespace asperity
           const double metre = metres_per(name);
           if (metre == 0.)
             file.fail(format,
-                      "has " + key + " = " + quoted(name) +
+                      "has " + key + " = " + quoted_text(name) +
                         "; a unit of length is expected for a height map");
           return metre;
         }

@@ -31,7 +31,7 @@ namespace asperity
       catch (const InputError &error)
         {
           throw InputError("The entry " + quoted_name(entry) + " = " +
-                           quoted(text) + ": " + error.what());
+                           quoted_text(text) + ": " + error.what());
         }
     }
 
@@ -43,7 +43,7 @@ namespace asperity
       const double metre = metres_per(text);
       if (metre == 0.)
         throw InputError("The entry " + quoted_name(entry) + " = " +
-                         quoted(text) +
+                         quoted_text(text) +
                          " is no unit of length; m, mm, um, nm or pm is "
                          "expected.");
       return metre;
@@ -83,7 +83,7 @@ namespace asperity
       const auto dots = text.find("..");
       if (dots == std::string::npos)
         throw InputError("The entry " + quoted_name(entry) + " = " +
-                         quoted(text) +
+                         quoted_text(text) +
                          " is no range; all, 60 .. 195 or 380 um .. 1250 um "
                          "is expected.");
       bool       is_length = false;
@@ -103,7 +103,7 @@ namespace asperity
         last = n - 1.;
       if (!(first >= 0. && last > first && last < n))
         throw InputError(
-          "The entry " + quoted_name(entry) + " = " + quoted(text) +
+          "The entry " + quoted_name(entry) + " = " + quoted_text(text) +
           " is empty or leaves the map, which has the samples "
           "0 .. " +
           std::to_string(n - 1) + " over " + micrometres(n * spacing) + ".");

@@ -52,7 +52,7 @@ namespace asperity
         return metre;
       if (!name.empty())
         file.fail(format,
-                  "has " + quoted(name) + " as unit along " + axis +
+                  "has " + quoted_text(name) + " as unit along " + axis +
                     "; a unit of length is expected");
       if (given > 0.)
         return given;

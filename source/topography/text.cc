@@ -34,7 +34,8 @@ namespace asperity
     {
       std::string found;
       for (const std::string &line : header.not_understood)
-        found += (found.empty() ? " (of its header, " : ", ") + quoted(line);
+        found +=
+          (found.empty() ? " (of its header, " : ", ") + quoted_text(line);
       if (!found.empty())
         found += " is no length that is understood)";
       file.fail(format,
@@ -52,7 +53,7 @@ namespace asperity
     {
       if (given > 0. && stated && std::abs(given / *stated - 1.) > 0.01)
         file.fail("text",
-                  "says in its header (" + quoted(header.lines.front()) +
+                  "says in its header (" + quoted_text(header.lines.front()) +
                     ", ...) that " + entry + " is " + std::to_string(*stated) +
                     " m or m per unit, and the parameter file gives another; "
                     "leave out the entry, or correct the header");
@@ -77,7 +78,8 @@ namespace asperity
       map.provenance.unit_source = "lines of the header";
       std::string note           = "Reading: the header says ";
       for (const std::string &line : header.lines)
-        note += (&line == &header.lines.front() ? "" : ", ") + quoted(line);
+        note +=
+          (&line == &header.lines.front() ? "" : ", ") + quoted_text(line);
       map.provenance.notes.push_back(note + ".");
     }
 

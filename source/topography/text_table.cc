@@ -124,7 +124,7 @@ namespace asperity
                       (titles.empty() ?
                          std::string() :
                          "; line " + std::to_string(titles[0].first) + " is " +
-                           quoted(titles[0].second)));
+                           quoted_text(titles[0].second)));
         unify_rows();
         check_titles();
         write_notes();
@@ -229,7 +229,7 @@ namespace asperity
       {
         const bool whole_line = row.wrong_column == 0;
         file.fail("text",
-                  "has " + quoted(whole_line ? line : row.wrong_cell) +
+                  "has " + quoted_text(whole_line ? line : row.wrong_cell) +
                     " in line " + std::to_string(number) +
                     (whole_line ?
                        std::string() :
@@ -330,7 +330,7 @@ namespace asperity
             std::to_string(table.line_of_row.front()) + " were skipped" +
             (titles.empty() ?
                "" :
-               "; the first title is " + quoted(titles[0].second)) +
+               "; the first title is " + quoted_text(titles[0].second)) +
             ".");
         if (n_comments_between > 0)
           table.notes.push_back(
@@ -366,7 +366,7 @@ namespace asperity
     const Block second = blocks.at(1);
     warnings.push_back("The rows from line " +
                        std::to_string(line_of_row[second.first_row]) +
-                       " on follow " + quoted(second.comment) +
+                       " on follow " + quoted_text(second.comment) +
                        " and are not read: they belong to another channel.");
     line_of_row.resize(second.first_row);
     if (values.size() > second.first_row * n_columns)

@@ -57,11 +57,11 @@ namespace asperity
       const auto data = strip(tree->get<std::string>("DataType", "D"));
       if (type != "I" && type != "A")
         file.fail(format,
-                  "has " + quoted(type) + " as type of axis " + name +
+                  "has " + quoted_text(type) + " as type of axis " + name +
                     "; I (incremental) or A (absolute) is expected");
       if (data != "I" && data != "L" && data != "F" && data != "D")
         file.fail(format,
-                  "has " + quoted(data) + " as data type of axis " + name +
+                  "has " + quoted_text(data) + " as data type of axis " + name +
                     "; I, L, F or D is expected");
       axis.type = type[0];
       axis.data = data[0];
@@ -153,7 +153,8 @@ namespace asperity
       if (name.empty())
         return "";
       if (entry.empty())
-        file.fail(format, "lacks its list of valid points " + quoted(name));
+        file.fail(format,
+                  "lacks its list of valid points " + quoted_text(name));
       const std::string valid = archive.read(entry, n / 8 + 1024);
       if (valid.size() < (n + 7) / 8)
         file.fail(format, "has too few bits in " + quoted_name(entry));
@@ -178,7 +179,7 @@ namespace asperity
       const auto name  = strip(link.get<std::string>("PointDataLink", ""));
       const auto entry = archive.find(name);
       if (name.empty() || entry.empty())
-        file.fail(format, "lacks its heights " + quoted(name));
+        file.fail(format, "lacks its heights " + quoted_text(name));
       HeightMap         map   = allocate_map(file,
                                    format,
                                    size.nx,
@@ -280,7 +281,7 @@ namespace asperity
                   "grid (SUR or PRF) are expected");
       if (feature != "SUR" && feature != "PRF")
         file.fail(format,
-                  "has FeatureType " + quoted(feature) +
+                  "has FeatureType " + quoted_text(feature) +
                     "; SUR or PRF is expected");
       for (const auto &[axis, name] : {std::make_pair(x, "X"), {y, "Y"}})
         if (axis.type == 'A')

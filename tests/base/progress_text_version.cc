@@ -78,11 +78,11 @@ TEST(Text, split_and_join_are_inverse)
 
 TEST(Text, that_somebody_wrote_is_quoted_in_part_and_a_name_in_full)
 {
-  EXPECT_EQ(quoted("7 cats"), "'7 cats'");
-  EXPECT_EQ(quoted(""), "''");
+  EXPECT_EQ(quoted_text("7 cats"), "'7 cats'");
+  EXPECT_EQ(quoted_text(""), "''");
   const std::string sixty(60, 'x');
-  EXPECT_EQ(quoted(sixty), "'" + sixty + "'");
-  EXPECT_EQ(quoted(sixty + "y"), "'" + sixty.substr(3) + "...'");
+  EXPECT_EQ(quoted_text(sixty), "'" + sixty + "'");
+  EXPECT_EQ(quoted_text(sixty + "y"), "'" + sixty.substr(3) + "...'");
   EXPECT_EQ(quoted_name(sixty + "y"), "'" + sixty + "y'");
   EXPECT_EQ(quoted_name(std::string(4096, 'x')).size(), 4098u);
   EXPECT_EQ(quoted_name(std::string(4097, 'x')),
@@ -96,7 +96,7 @@ TEST(Text, in_messages_has_no_control_characters_and_no_half_ones)
             "M\xC3\xBCller \xE2\x82\xAC");
   EXPECT_EQ(printable("\xC2\x9B \xFF \xC3"), "? ? ?");
   // 56 and 2 bytes: the umlaut would be cut into halves
-  EXPECT_EQ(quoted(std::string(56, 'x') + "\xC3\xBCyyyyyy"),
+  EXPECT_EQ(quoted_text(std::string(56, 'x') + "\xC3\xBCyyyyyy"),
             "'" + std::string(56, 'x') + "...'");
 }
 

@@ -17,6 +17,9 @@ namespace asperity::law_tools
   using dealii::SymmetricTensor;
   using dealii::Tensor;
 
+  /** A step [s] that is short enough for the rate to count. */
+  constexpr double short_step = 1e-7;
+
   /** A tensor of plane kinematics. */
   inline Tensor<2, 3>
   plane(const double xx,

@@ -1,4 +1,3 @@
-#include <asperity/constitutive/hyperelasticity.h>
 #include <asperity/splines/refinement.h>
 
 #include <gtest/gtest.h>
@@ -7,20 +6,12 @@
 #include <cmath>
 
 #include "contact_problem.h"
+#include "sheared.h"
 
 namespace
 {
   using namespace asperity;
   using dealii::Point;
-
-  ElasticParameters
-  elasticity()
-  {
-    ElasticParameters parameters;
-    parameters.young_modulus = 1e6;
-    parameters.poisson_ratio = 0.3;
-    return parameters;
-  }
 
   /**
    * Pressure of a neo-Hooke block of height 1 under a ceiling that has come
@@ -30,8 +21,8 @@ namespace
   double
   exact_pressure(const double shift, const double penalty)
   {
-    const double lambda = elasticity().lame_lambda(),
-                 mu     = elasticity().shear_modulus();
+    const double lambda = example::elasticity().lame_lambda(),
+                 mu     = example::elasticity().shear_modulus();
     const auto stress   = [&](const double a, const double b) {
       return mu * (a - 1. / a) + lambda * std::log(a * b) / a;
     };
@@ -91,7 +82,8 @@ namespace
     if (spline)
       ceiling = example::periodic_tool([](const double) { return 1.; }, 2., 7);
     example::ContactProblem problem(block(degree, refined),
-                                    std::make_shared<NeoHooke>(elasticity()),
+                                    std::make_shared<NeoHooke>(
+                                      example::elasticity()),
                                     ceiling,
                                     options,
                                     example::Support::rollers);
@@ -175,8 +167,8 @@ namespace
     };
 
     const double s      = 0.97;
-    const double lambda = elasticity().lame_lambda(),
-                 mu     = elasticity().shear_modulus();
+    const double lambda = example::elasticity().lame_lambda(),
+                 mu     = example::elasticity().shear_modulus();
     // nominal stress mu (s - 1/s) + 2 lambda ln s/s, here as a pressure
     const double pressure = mu * (1. / s - s) - 2. * lambda * std::log(s) / s;
     const double penalty  = 1e8;
@@ -190,7 +182,7 @@ namespace
     options.penalty     = penalty;
     SolidAssembler<2>   solid(space,
                             geometry,
-                            std::make_shared<NeoHooke>(elasticity()));
+                            std::make_shared<NeoHooke>(example::elasticity()));
     ContactAssembler<2> contact(
       space,
       geometry,
@@ -240,7 +232,7 @@ namespace
         options.penalty     = 1e9;
         example::ContactProblem problem(block(2, true),
                                         std::make_shared<NeoHooke>(
-                                          elasticity()),
+                                          example::elasticity()),
                                         std::make_shared<example::Ceiling>(1.),
                                         options,
                                         example::Support::rollers);

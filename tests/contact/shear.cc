@@ -6,6 +6,7 @@
 #include <random>
 
 #include "contact_examples.h"
+#include "sheared.h"
 
 namespace
 {
@@ -13,45 +14,11 @@ namespace
   using dealii::Point;
   using dealii::Tensor;
   using Vector = dealii::Vector<double>;
-
-  ElasticParameters
-  elasticity()
-  {
-    ElasticParameters parameters;
-    parameters.young_modulus = 1e6;
-    parameters.poisson_ratio = 0.3;
-    return parameters;
-  }
-
-  /** A law of shear with k = 2e4 everywhere. */
-  struct Interface
-  {
-    ContactFormulation formulation;
-    InterfaceShear     law;
-  };
-
-  ContactOptions
-  contact_options(const Interface &interface, const double penalty)
-  {
-    ContactOptions options;
-    options.formulation                    = interface.formulation;
-    options.penalty                        = penalty;
-    options.interface.stick_penalty        = 1.;
-    options.interface.law                  = interface.law;
-    options.interface.friction_coefficient = 0.3;
-    options.interface.shear_factor         = 0.5;
-    return options;
-  }
+  using example::contact_options;
+  using example::Interface;
+  using example::set_strength;
 
   constexpr double k = 2e4;
-
-  void
-  set_strength(ContactAssembler<2> &contact, const double k)
-  {
-    const std::size_t n = contact.pressure().size();
-    contact.shear()->set_interface(std::vector<double>(n, k),
-                                   std::vector<double>(n, 0.));
-  }
 
   class Shear : public testing::TestWithParam<
                   std::tuple<ContactFormulation, InterfaceShear>>
@@ -165,7 +132,7 @@ namespace
       : problem(std::make_shared<SplineSpace<2>>(
                   KnotVector(2, example::equal_steps(0., 2., 8), true),
                   KnotVector(2, example::equal_steps(0., 1., 4))),
-                std::make_shared<NeoHooke>(elasticity()),
+                std::make_shared<NeoHooke>(example::elasticity()),
                 std::make_shared<example::Ceiling>(1.),
                 contact_options(interface, 1e8))
     {
@@ -213,7 +180,7 @@ namespace
   TEST_P(Shear, a_pressed_block_sticks_and_then_slides_at_the_limit_of_the_law)
   {
     Block        block(interface);
-    const double G     = elasticity().shear_modulus();
+    const double G     = example::elasticity().shear_modulus();
     const double limit = block.limit(interface.law);
     ASSERT_GT(limit, 1e3);
     const double stick = 0.5 * limit / G;
@@ -231,7 +198,7 @@ namespace
   TEST_P(Shear, reversal_unloads_the_block_before_it_slides_back)
   {
     Block        block(interface);
-    const double G     = elasticity().shear_modulus();
+    const double G     = example::elasticity().shear_modulus();
     const double limit = block.limit(interface.law);
     block.drag_to(0.2);
     // The block and the penalty give way.

@@ -8,6 +8,7 @@
 
 #include "ball.h"
 #include "contact_examples.h"
+#include "sheared.h"
 
 namespace
 {
@@ -15,6 +16,9 @@ namespace
   using dealii::Point;
   using dealii::Tensor;
   using Vector = dealii::Vector<double>;
+  using example::contact_options;
+  using example::Interface;
+  using example::set_strength;
 
   /** A curve of the x-z plane, the same for all y. */
   class Extruded : public RigidObstacle<3>
@@ -51,35 +55,6 @@ namespace
   {
     return example::periodic_tool(
       [](const double x) { return 1. + 0.05 * std::sin(M_PI * x); }, 2., 24);
-  }
-
-  struct Interface
-  {
-    ContactFormulation formulation;
-    InterfaceShear     law;
-  };
-
-  ContactOptions
-  contact_options(const Interface &interface)
-  {
-    ContactOptions options;
-    options.formulation                    = interface.formulation;
-    options.penalty                        = 1e6;
-    options.interface.stick_penalty        = 1.;
-    options.interface.law                  = interface.law;
-    options.interface.friction_coefficient = 0.3;
-    options.interface.shear_factor         = 0.5;
-    return options;
-  }
-
-  template <int dim>
-  void
-  set_strength(ContactAssembler<dim> &contact, const double k)
-  {
-    const std::size_t n = contact.pressure().size();
-    if (contact.shear() != nullptr)
-      contact.shear()->set_interface(std::vector<double>(n, k),
-                                     std::vector<double>(n, 0.));
   }
 
   template <int dim>
@@ -175,7 +150,7 @@ namespace
             std::make_shared<Extruded>(wave()))})
       {
         ContactAssembler<3> contact(
-          space, {}, Edge::top, obstacle, contact_options(interface));
+          space, {}, Edge::top, obstacle, contact_options(interface, 1e6));
         expect_exact_tangent(contact, 3 * space->n_functions());
       }
   }
@@ -190,7 +165,7 @@ namespace
       {},
       Edge::top,
       std::make_shared<example::Ball>(Point<3>(0.9, 0.7, 0.93), 2.),
-      contact_options(interface));
+      contact_options(interface, 1e6));
     set_strength(contact, 1e4);
     Vector u(3 * space->n_functions()), R(u.size());
     contact.add(u, R, nullptr);
@@ -230,12 +205,12 @@ namespace
       KnotVector(2, example::equal_steps(0., 1., 2)));
     const auto          space = block(8, {0., 0.3, 0.5, width});
     ContactAssembler<2> flat(
-      plane, {}, Edge::top, wave(), contact_options(interface));
+      plane, {}, Edge::top, wave(), contact_options(interface, 1e6));
     ContactAssembler<3> contact(space,
                                 {},
                                 Edge::top,
                                 std::make_shared<Extruded>(wave()),
-                                contact_options(interface));
+                                contact_options(interface, 1e6));
     set_strength(flat, 1e4);
     set_strength(contact, 1e4);
     Vector u(2 * plane->n_functions()), u3(3 * space->n_functions());

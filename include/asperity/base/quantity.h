@@ -85,6 +85,10 @@ namespace asperity
                   const std::string &unit,
                   const unsigned int digits);
 
+  /** 0.0123 as "1.2 %". */
+  std::string
+  per_cent(const double share);
+
   /**
    * Reads a plain number; independent of the locale.
    *

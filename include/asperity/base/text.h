@@ -25,11 +25,11 @@ namespace asperity
   /** How a message shows a text that somebody wrote: printable(), between
    *  quotation marks, shortened to 60 bytes. */
   std::string
-  quoted(const std::string &text);
+  quoted_text(const std::string &text);
 
-  /** How a message shows the name of a file, an entry or an input: as quoted(),
-   *  but whole, since paths differ at their ends. More than 4096 bytes are no
-   *  name and are shortened. */
+  /** How a message shows the name of a file, an entry or an input: as
+   * quoted_text(), but whole, since paths differ at their ends. More than 4096
+   * bytes are no name and are shortened. */
   std::string
   quoted_name(const std::string &name);
 
