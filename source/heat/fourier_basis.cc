@@ -2,7 +2,7 @@
 
 #include <deal.II/base/numbers.h>
 
-#include <complex>
+#include <cmath>
 
 namespace asperity
 {
@@ -48,18 +48,28 @@ namespace asperity
   dealii::LAPACKFullMatrix<double>
   FourierBasis::values(const std::vector<double> &x) const
   {
-    dealii::LAPACKFullMatrix<double> f(x.size(), size());
-    for (unsigned int q = 0; q < x.size(); ++q)
+    const unsigned int               n = x.size();
+    dealii::LAPACKFullMatrix<double> f(n, size());
+    for (unsigned int q = 0; q < n; ++q)
+      f(q, 0) = 1.;
+    if (n_waves == 0 || n == 0)
+      return f;
+    for (unsigned int q = 0; q < n; ++q)
       {
-        const auto turn = std::polar(1., wave_number(1) * x[q]);
-        // Powers of a number of modulus one lose a digit in a thousand waves.
-        std::complex<double> wave = 1.;
-        f(q, 0)                   = 1.;
-        for (unsigned int k = 1; k <= n_waves; ++k)
+        f(q, 1) = std::cos(wave_number(1) * x[q]);
+        f(q, 2) = std::sin(wave_number(1) * x[q]);
+      }
+    // Down the columns, in which the matrix is stored. Each wave turns by the
+    // first: powers of a number of modulus one lose a digit in a thousand.
+    const double *const cosine = &f(0, 1), *const sine = &f(0, 2);
+    for (unsigned int k = 2; k <= n_waves; ++k)
+      {
+        const double *const c = &f(0, 2 * k - 3), *const s = &f(0, 2 * k - 2);
+        double *const next_c = &f(0, 2 * k - 1), *const next_s = &f(0, 2 * k);
+        for (unsigned int q = 0; q < n; ++q)
           {
-            wave *= turn;
-            f(q, 2 * k - 1) = wave.real();
-            f(q, 2 * k)     = wave.imag();
+            next_c[q] = c[q] * cosine[q] - s[q] * sine[q];
+            next_s[q] = s[q] * cosine[q] + c[q] * sine[q];
           }
       }
     return f;

@@ -13,9 +13,12 @@ namespace asperity
       {
         const ElementView<2> element(table, entry);
         for (unsigned int q = 0; q < table.points_per_element; ++q)
-          for (unsigned int a = 0; a < element.n_functions(); ++a)
-            values(element.point(q)) +=
-              element.N(q, a) * coefficients(element.function(a));
+          {
+            double value = 0.;
+            for (unsigned int a = 0; a < element.n_functions(); ++a)
+              value += element.N(q, a) * coefficients(element.function(a));
+            values(element.point(q)) = value;
+          }
       }
     return values;
   }
@@ -31,9 +34,9 @@ namespace asperity
       {
         const ElementView<2> element(table, entry);
         for (unsigned int q = 0; q < table.points_per_element; ++q)
-          for (unsigned int a = 0; a < element.n_functions(); ++a)
-            result(element.function(a)) +=
-              element.N(q, a) * values(element.point(q));
+          if (const double value = values(element.point(q)); value != 0.)
+            for (unsigned int a = 0; a < element.n_functions(); ++a)
+              result(element.function(a)) += element.N(q, a) * value;
       }
   }
 } // namespace asperity

@@ -30,6 +30,18 @@ namespace asperity
         , response(tool.response(dt))
       {}
 
+      /** The same at some of the points. */
+      ToolResponse(const ToolResponse              &all,
+                   const std::vector<unsigned int> &points)
+        : basis(all.basis)
+        , values(points.size(), all.values.n())
+        , response(all.response)
+      {
+        for (unsigned int m = 0; m < values.n(); ++m)
+          for (unsigned int i = 0; i < points.size(); ++i)
+            values(i, m) = all.values(points[i], m);
+      }
+
       /** Coefficients of the flux, of heat by point [W/m]. */
       Vector
       flux(const Vector &heat) const
@@ -63,17 +75,13 @@ namespace asperity
     struct Exchange
     {
       std::vector<unsigned int> points;
-      std::vector<double>       x; ///< in the frame of the tool [m]
       Vector                    s;
 
       Exchange(const InterfaceHeat &interface, const BasisTable<2> &edge)
       {
         for (unsigned int q = 0; q < edge.JxW.size(); ++q)
           if (interface.conductance[q] > 0.)
-            {
-              points.push_back(q);
-              x.push_back(interface.x[q]);
-            }
+            points.push_back(q);
         s.reinit(points.size());
         for (unsigned int i = 0; i < points.size(); ++i)
           s(i) =
@@ -227,12 +235,13 @@ namespace asperity
     Vector difference = chip_rise;
     difference -= tool_rise;
     const Exchange exchange(interface, edge);
-    const Vector   heat = exchanged_heat(exchange,
-                                       ToolResponse(tool, exchange.x, dt),
-                                       edge,
-                                       respond,
-                                       difference,
-                                       step.iterations);
+    const Vector   heat =
+      exchanged_heat(exchange,
+                     ToolResponse(tool_response, exchange.points),
+                     edge,
+                     respond,
+                     difference,
+                     step.iterations);
 
     const Vector from_chip = respond(heat), to_tool = tool_response.flux(heat);
     step.chip_change -= from_chip;
