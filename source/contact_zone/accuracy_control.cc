@@ -16,7 +16,7 @@ namespace asperity
                      cost_of_penalty = 1.1;
 
     /** Part of the wanted error that an estimate may use up, which is smaller
-     *  than this part of the error in eight of forty scenes
+     *  than this part of the error in eleven of forty scenes
      *  (tools/benchmarks/README.md); and that of a choice made on coarser
      *  settings. */
     constexpr double safety = 0.85, safety_of_choice = 0.7;
@@ -55,7 +55,7 @@ namespace asperity
   Fineness
   cheapest(const SceneParameters &parameters)
   {
-    // One coarser mesh more is for the companions.
+    // A coarser one is for the companions, and should be none of the coarsest.
     return {has_mesh(parameters, -3) ? -1 : 0, -1, -1};
   }
 
@@ -157,7 +157,8 @@ namespace asperity
     if (report.error)
       summary["by_source"] = {{"mesh", report.error->mesh},
                               {"step", report.error->step},
-                              {"penalty", report.error->penalty}};
+                              {"penalty", report.error->penalty},
+                              {"chance", report.error->chance}};
     summary["wanted"] = report.wanted;
     summary["runs"]   = report.runs;
     summary["cost"]   = report.cost;

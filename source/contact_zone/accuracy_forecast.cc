@@ -13,9 +13,20 @@ namespace asperity
   {
     /** R0 at 300 MPa, 200 m/min and 25 degC with the default settings: its
      *  numbers, and what they were found to give. */
-    const ForecastNumbers reference     = {14.5, 0.92, 0.14, 120., 8., 1920.};
-    constexpr double      error_of_mesh = 0.24e-2, error_of_steps = 0.11e-2,
-                     error_of_penalty = 0.09e-2, iterations_a_step = 3.18;
+    const ForecastNumbers reference = {14.5, 0.92, 0.14, 120., 8., 1920.};
+    constexpr double      iterations_a_step = 3.18;
+
+    /** Error by the mesh for one element in a spot, by as many steps as the
+     *  reference has, and what is left to chance if one element is passed. */
+    constexpr double error_of_mesh = 1.7, error_of_steps = 0.19e-2,
+                     chance_of_mesh = 0.21e-2;
+
+    /** Error by a penalty that lets the tool in by the depth of a spot, if the
+     *  chip slides by its length. */
+    constexpr double error_of_penalty = 0.28;
+
+    /** Points of a period at which surfaces are cut off. */
+    constexpr unsigned int n_points = 4000;
 
     /** Factor by which the unknowns grow with twice as many spans. */
     constexpr double growth_of_unknowns = 3.2;
@@ -49,6 +60,39 @@ namespace asperity
           default:
             return 1.;
         }
+    }
+
+    /** Where surfaces touch if they are cut off. */
+    struct CutSpots
+    {
+      double length; ///< of one, the mean [m]
+      double depth;  ///< what is cut off, the mean [m]
+    };
+
+    /** @param share of the period that touches */
+    CutSpots
+    cut_spots(const Scene<2> &scene, const double share)
+    {
+      std::vector<double> gap(n_points);
+      for (unsigned int i = 0; i < n_points; ++i)
+        {
+          const double x = scene.length * i / n_points;
+          gap[i] = scene.tool_surface.height(x) - scene.chip_surface.height(x);
+        }
+      std::vector<double> sorted = gap;
+      std::sort(sorted.begin(), sorted.end());
+      const unsigned int n_cut =
+        std::clamp(share, 1. / n_points, 1.) * n_points;
+      const double level = sorted[n_cut - 1];
+      double       depth = 0.;
+      unsigned int n     = 0;
+      for (unsigned int i = 0; i < n_points; ++i)
+        {
+          depth += std::max(0., level - gap[i]) / n_cut;
+          if (gap[i] <= level && gap[(i + n_points - 1) % n_points] > level)
+            ++n;
+        }
+      return {n_cut * scene.length / n_points / std::max(1u, n), depth};
     }
 
     unsigned int
@@ -101,7 +145,9 @@ namespace asperity
   double
   AccuracyForecast::total() const
   {
-    return std::hypot(error.mesh, error.step, error.penalty);
+    return std::hypot(std::hypot(error.mesh, error.chance),
+                      error.step,
+                      error.penalty);
   }
 
 
@@ -122,15 +168,21 @@ namespace asperity
                              parameters.load.temperature);
     ForecastNumbers numbers;
     numbers.elements = length / scene.contact_element_length();
-    numbers.way =
+    const double way =
       parameters.load.velocity *
-      LoadProtocol(parameters.load, parameters.protocol).end_time() / length;
+      LoadProtocol(parameters.load, parameters.protocol).end_time();
+    numbers.way = way / length;
     numbers.contact =
       std::min(most_contact, parameters.load.pressure / (hardness * k));
     numbers.steps          = n_steps(parameters);
     numbers.penalty_factor = scene.penalty() * scene.contact_element_length() /
                              scene.law->young_modulus();
-    numbers.unknowns = scene.n_unknowns();
+    numbers.unknowns         = scene.n_unknowns();
+    const CutSpots spots     = cut_spots(scene, numbers.contact);
+    numbers.elements_in_spot = spots.length / scene.contact_element_length();
+    numbers.way_over_spot    = way / spots.length;
+    numbers.elements_passed  = way / scene.contact_element_length();
+    numbers.softness         = hardness * k / (scene.penalty() * spots.depth);
     return numbers;
   }
 
@@ -144,17 +196,12 @@ namespace asperity
       return std::pow(numbers.*number / reference.*number, exponent);
     };
     AccuracyForecast result;
-    result.error.mesh = error_of_mesh * power(&ForecastNumbers::elements, -2.) *
-                        power(&ForecastNumbers::contact, -0.96) *
-                        power(&ForecastNumbers::way, -0.46);
-    result.error.step = error_of_steps * power(&ForecastNumbers::steps, -1.) *
-                        power(&ForecastNumbers::contact, 0.2) *
-                        power(&ForecastNumbers::way, -0.35);
-    result.error.penalty = error_of_penalty *
-                           power(&ForecastNumbers::penalty_factor, -1.) *
-                           power(&ForecastNumbers::elements, -1.) *
-                           power(&ForecastNumbers::contact, -0.29) *
-                           power(&ForecastNumbers::way, -0.4);
+    result.error.mesh = error_of_mesh * std::pow(numbers.elements_in_spot, -2.);
+    result.error.chance =
+      chance_of_mesh * std::pow(numbers.elements_passed, -1.4);
+    result.error.step    = error_of_steps * power(&ForecastNumbers::steps, -1.);
+    result.error.penalty = error_of_penalty * std::pow(numbers.softness, 0.82) *
+                           std::pow(numbers.way_over_spot, -0.34);
     const double way_of_a_step =
       numbers.way / numbers.steps / (reference.way / reference.steps);
     const double iterations =
@@ -181,9 +228,8 @@ namespace asperity
       return {};
     std::vector<std::string> sentences = {
       models_for(parameters, scene),
-      "Forecast (time good for a factor of 2; the error is that of smooth "
-      "tools, others have up to nine times as much, which Accuracy/Control = "
-      "estimate tells): " +
+      "Forecast (time good for a factor of 2, the error in two of three scenes; "
+      "Accuracy/Control = estimate tells it): " +
         describe(forecast(numbers, oil)) + "."};
     const double wanted = parameters.accuracy.error;
     if (wanted == 0.)
@@ -202,6 +248,9 @@ namespace asperity
             finer.steps = std::ldexp(numbers.steps, step);
             finer.penalty_factor =
               std::ldexp(numbers.penalty_factor, penalty - mesh);
+            finer.elements_in_spot = std::ldexp(numbers.elements_in_spot, mesh);
+            finer.elements_passed  = std::ldexp(numbers.elements_passed, mesh);
+            finer.softness         = std::ldexp(numbers.softness, -penalty);
             const AccuracyForecast candidate = forecast(finer, oil);
             if (safety_of_forecast * candidate.total() <= wanted &&
                 (!best || candidate.time < of_best.time))

@@ -114,8 +114,8 @@ namespace asperity
     catch (const std::runtime_error &failure)
       {
         run.warnings.push_back(
-          "The numerical error of mu is not known, since a coarser companion "
-          "of the run failed: " +
+          "The numerical error of mu is not known, since a companion of "
+          "the run failed: " +
           std::string(failure.what()));
       }
     count(family, run.accuracy);

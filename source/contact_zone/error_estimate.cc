@@ -23,8 +23,72 @@ namespace asperity
     }
 
     /** Relative change of mu by elements twice as long above which these do not
-     *  resolve the contacts, and tell nothing of steps and penalty. */
-    constexpr double largest_change = 0.05;
+     *  resolve the contacts, and tell nothing of steps and penalty; and that at
+     *  which so much more of it than by its order is gone on the elements of
+     *  the run that half of the extrapolation is left. */
+    constexpr double largest_change = 0.05, unresolved_change = 0.1;
+
+    /** What moving elements twice as long changes of mu over the error that
+     *  they tell, above which this is left to chance. */
+    constexpr double largest_chance = 0.4;
+
+    /** Elements over which the chip must slide for two draws to differ by what
+     *  is left to chance, rather than to agree by it. */
+    constexpr double fewest_elements = 2.;
+
+    /** Part of each error by which it is uncertain. */
+    constexpr double uncertainty = 0.1;
+
+    /** Error by the elements, of what those twice as long change of mu. */
+    double
+    error_by_mesh(const double change)
+    {
+      return change / change_over_error(mesh_order) /
+             (1. + std::abs(change) / unresolved_change);
+    }
+
+    /** Differences of mu in a family, relative to mu of one of its runs. */
+    class Changes
+    {
+    public:
+      Changes(RunFamily &family, const Fineness &of)
+        : family(family)
+        , mu(family.run(of).mu)
+      {}
+
+      double
+      operator()(const Fineness &from, const Fineness &to) const
+      {
+        return (family.run(to).mu - family.run(from).mu) /
+               std::max(std::abs(mu), 1e-300);
+      }
+
+      /** By steps and penalty, which are halved one at a time.
+       *  @param base at which */
+      ErrorEstimate
+      of_steps_and_penalty(const Fineness &base) const
+      {
+        Fineness fewer = base, softer = base;
+        --fewer.step;
+        --softer.penalty;
+        ErrorEstimate result;
+        result.step    = (*this)(base, fewer) / change_over_error(1);
+        result.penalty = (*this)(base, softer) / change_over_error(1);
+        return result;
+      }
+
+    private:
+      RunFamily   &family;
+      const double mu;
+    };
+
+    /** The same on elements that are moved by half of their length. */
+    Fineness
+    moved(Fineness fineness)
+    {
+      ++fineness.offset;
+      return fineness;
+    }
   } // namespace
 
 
@@ -39,9 +103,10 @@ namespace asperity
       {{"off", AccuracyControl::off},
        {"estimate", AccuracyControl::estimate},
        {"adaptive", AccuracyControl::adaptive}},
-      "`estimate`: coarser companions of the run tell the numerical error of "
-      "mu by mesh, time steps and penalty, for about as much time again as "
-      "the run took or, where its elements are far too long, twice as much; "
+      "`estimate`: companions of the run tell the numerical error of mu by "
+      "mesh, time steps and penalty, for one to two times the time that the "
+      "run took or, where contacts pass few elements or are not resolved by "
+      "twice as long ones, for up to five times; "
       "`adaptive`: runs at finer and finer settings until that error is the "
       "wanted one, beginning with half of the Spans, Ramp steps, Slide steps "
       "and penalty of the file, each round refining what costs least; `off`: "
@@ -66,7 +131,8 @@ namespace asperity
   {
     const double squares = mesh * mesh + step * step + penalty * penalty;
     const double sum     = mesh + step + penalty;
-    return std::sqrt(0.5 * (squares + sum * sum));
+    return std::sqrt(sum * sum + uncertainty * uncertainty * squares +
+                     chance * chance);
   }
 
 
@@ -74,7 +140,7 @@ namespace asperity
   std::string
   ErrorEstimate::largest() const
   {
-    const double of_mesh = std::abs(mesh), of_steps = std::abs(step),
+    const double of_mesh = std::hypot(mesh, chance), of_steps = std::abs(step),
                  of_penalty = std::abs(penalty);
     return of_mesh >= std::max(of_steps, of_penalty) ? "mesh" :
            of_steps >= of_penalty                    ? "step" :
@@ -88,7 +154,8 @@ namespace asperity
   {
     return {std::ldexp(mesh, -mesh_order * finer.mesh),
             std::ldexp(step, -finer.step),
-            std::ldexp(penalty, -finer.penalty)};
+            std::ldexp(penalty, -finer.penalty),
+            std::ldexp(chance, -mesh_order * finer.mesh)};
   }
 
 
@@ -96,29 +163,28 @@ namespace asperity
   ErrorEstimate
   estimate_error(RunFamily &family, const Fineness &of)
   {
-    const FamilyMember &run    = family.run(of);
-    const double        scale  = 1. / std::max(std::abs(run.mu), 1e-300);
-    const auto          change = [&](const Fineness &from, const Fineness &to) {
-      return scale * (family.run(to).mu - family.run(from).mu);
-    };
-    const Fineness coarse{of.mesh - 1, of.step, of.penalty};
-    const Fineness coarser{of.mesh - 2, of.step, of.penalty};
-    ErrorEstimate  result;
-    result.mesh = change(of, coarse) / change_over_error(mesh_order);
-    if (has_mesh(family.parameters(), coarser.mesh))
+    const Changes  change(family, of);
+    const Fineness coarse{of.mesh - 1, of.step, of.penalty, of.offset};
+    const double   left = std::ldexp(1., -mesh_order); // by half the elements
+    // The mean of two draws, against the run.
+    const double by_coarse =
+      0.5 * (change(of, coarse) + change(of, moved(coarse)));
+    const double passed  = family.run(of).elements_passed;
+    const bool   is_slow = passed > 0. && passed < fewest_elements;
+    if (std::abs(by_coarse) < largest_change && !is_slow)
       {
-        const double before = change(coarse, coarser) /
-                              change_over_error(mesh_order) /
-                              std::ldexp(1., mesh_order);
-        if (std::abs(before) < std::abs(result.mesh))
-          result.mesh = std::copysign(before, result.mesh);
+        ErrorEstimate result = change.of_steps_and_penalty(coarse);
+        result.mesh          = error_by_mesh(by_coarse);
+        const double chance  = 0.5 * std::abs(change(coarse, moved(coarse)));
+        result.chance        = left * chance;
+        if (chance <= largest_chance *
+                        std::abs(result.mesh + result.step + result.penalty))
+          return result;
       }
-    const Fineness base =
-      std::abs(change(of, coarse)) < largest_change ? coarse : of;
-    result.step =
-      change(base, {base.mesh, of.step - 1, of.penalty}) / change_over_error(1);
-    result.penalty =
-      change(base, {base.mesh, of.step, of.penalty - 1}) / change_over_error(1);
+    const double  half   = 0.5 * change(of, moved(of));
+    ErrorEstimate result = change.of_steps_and_penalty(of);
+    result.mesh          = error_by_mesh(by_coarse - half) - half;
+    result.chance        = left * std::abs(half);
     return result;
   }
 } // namespace asperity

@@ -83,6 +83,8 @@ namespace asperity
            "the Heat model automatic, adiabatic or isothermal");
     if (p.mesh.adaptive_levels > 0)
       fail("a mesh that changes", "Mesh/Adaptive levels = 0");
+    if (p.mesh.offset != 0.)
+      fail("surfaces that are moved against the mesh", "Mesh/Offset = 0");
     if (p.accuracy.is_wanted())
       fail("an estimate of the error of mu", "Accuracy/Control = off");
     if (p.tool.kind == SurfaceKind::measured && p.tool.topography.length == 0.)

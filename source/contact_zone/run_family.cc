@@ -23,8 +23,8 @@ namespace asperity
   bool
   Fineness::operator<(const Fineness &other) const
   {
-    return std::tie(mesh, step, penalty) <
-           std::tie(other.mesh, other.step, other.penalty);
+    return std::tie(mesh, step, penalty, offset) <
+           std::tie(other.mesh, other.step, other.penalty, other.offset);
   }
 
 
@@ -32,8 +32,8 @@ namespace asperity
   bool
   Fineness::operator==(const Fineness &other) const
   {
-    return std::tie(mesh, step, penalty) ==
-           std::tie(other.mesh, other.step, other.penalty);
+    return std::tie(mesh, step, penalty, offset) ==
+           std::tie(other.mesh, other.step, other.penalty, other.offset);
   }
 
 
@@ -69,6 +69,7 @@ namespace asperity
       result.mesh.coarsen();
     for (int k = 0; k < fineness.mesh; ++k)
       result.mesh.refine();
+    result.mesh.offset += 0.5 * fineness.offset;
     ContactParameters &contact = result.contact;
     // The factor counts in penalties of elements of their own length.
     contact.penalty_factor =

@@ -69,6 +69,12 @@ namespace asperity
                      parameters.geometry.initial_gap,
                      tool_surface.mean() - chip_surface.mean() - gap);
     tool_surface        = tool_surface.mapped(1., oil.initial_gap - gap);
+    const double distance =
+      parameters.mesh.offset * length / parameters.mesh.spans;
+    if (distance == 0.)
+      return;
+    tool_surface = tool_surface.moved(distance);
+    chip_surface = chip_surface.moved(distance);
   }
 
 

@@ -86,6 +86,7 @@ namespace asperity
     if (refinement > 0)
       --refinement;
     adaptive_levels = std::min(adaptive_levels, refinement);
+    offset /= 2.;
   }
 
 
@@ -103,6 +104,7 @@ namespace asperity
   {
     spans *= 2;
     ++refinement;
+    offset *= 2.;
   }
 
 

@@ -215,7 +215,9 @@ namespace asperity
   {
     return {run_.friction().mu,
             run_.mean_unknowns(),
-            run_.newton_statistics().iterations};
+            run_.newton_statistics().iterations,
+            run_.state().rows.back().sliding_distance /
+              audited_.scene->contact_element_length()};
   }
 
 

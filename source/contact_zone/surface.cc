@@ -258,6 +258,26 @@ namespace asperity
 
 
 
+  Surface
+  Surface::moved(const double distance) const
+  {
+    std::vector<double> breakpoints = curve.knot_vector().breakpoints();
+    for (double &x : breakpoints)
+      x += distance;
+    auto points = curve.control_points();
+    for (auto &point : points)
+      point[0] += distance;
+    Surface surface = *this;
+    surface.curve =
+      SplineCurve(KnotVector(curve.degree(), breakpoints, curve.is_periodic()),
+                  points,
+                  curve.weights(),
+                  curve.period());
+    return surface;
+  }
+
+
+
   double
   smallest_gap(const Surface &lower, const Surface &upper)
   {

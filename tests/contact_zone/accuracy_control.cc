@@ -21,9 +21,9 @@ TEST(AccuracyControl, refines_what_dominates_only)
 {
   // With 0.7 of the wanted error as the aim: 4 by a halving of the elements,
   // 2 by one of steps or penalty.
-  EXPECT_EQ(*next_fineness(round_with({0.0279, 0., 0.}), 0.01, anything),
+  EXPECT_EQ(*next_fineness(round_with({0.0278, 0., 0.}), 0.01, anything),
             (Fineness{0, -1, -1}));
-  EXPECT_EQ(*next_fineness(round_with({0., -0.0279, 0.}), 0.01, anything),
+  EXPECT_EQ(*next_fineness(round_with({0., -0.0278, 0.}), 0.01, anything),
             (Fineness{-1, 1, -1}));
   EXPECT_EQ(*next_fineness(round_with({0., 0., 0.0281}), 0.01, anything),
             (Fineness{-1, -1, 2}));

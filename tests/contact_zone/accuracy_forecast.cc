@@ -10,7 +10,8 @@ using namespace asperity;
 
 namespace
 {
-  const ForecastNumbers numbers = {10., 0.5, 0.2, 100., 8., 1000.};
+  const ForecastNumbers numbers =
+    {10., 0.5, 0.2, 100., 8., 1000., 12., 0.4, 5., 1e-3};
 }
 
 TEST(AccuracyForecast, follows_the_orders_of_the_sources)
@@ -18,10 +19,22 @@ TEST(AccuracyForecast, follows_the_orders_of_the_sources)
   const AccuracyForecast before = forecast(numbers, LubricantModel::none);
   ForecastNumbers        finer  = numbers;
   finer.elements *= 2.;
+  finer.elements_in_spot *= 2.;
+  finer.elements_passed *= 2.;
   finer.penalty_factor *= 0.5; // the same penalty [Pa/m]
   AccuracyForecast after = forecast(finer, LubricantModel::none);
   EXPECT_NEAR(after.error.mesh / before.error.mesh, 0.25, 1e-12);
+  EXPECT_NEAR(after.error.chance / before.error.chance,
+              std::pow(2., -1.4),
+              1e-12);
   EXPECT_NEAR(after.error.penalty / before.error.penalty, 1., 1e-12);
+
+  finer = numbers;
+  finer.softness *= 0.5;
+  after = forecast(finer, LubricantModel::none);
+  EXPECT_NEAR(after.error.penalty / before.error.penalty,
+              std::pow(2., -0.82),
+              1e-12);
 
   finer = numbers;
   finer.steps *= 2.;
@@ -36,7 +49,7 @@ TEST(AccuracyForecast, follows_the_orders_of_the_sources)
   after = forecast(finer, LubricantModel::none);
   EXPECT_NEAR(after.time / before.time, 3., 1e-12);
   EXPECT_EQ(after.total(),
-            std::hypot(after.error.mesh,
+            std::hypot(std::hypot(after.error.mesh, after.error.chance),
                        after.error.step,
                        after.error.penalty));
   EXPECT_GT(forecast(numbers, LubricantModel::navier_stokes).time, before.time);
@@ -64,6 +77,36 @@ TEST(AccuracyForecast, reads_its_numbers_off_the_scene)
   EXPECT_NEAR(forecast_numbers(parameters, scene).contact,
               2. * found.contact,
               1e-12);
+}
+
+// A cosine that is cut off where half of it touches: a spot of L / 2, and a
+// mean depth of (2/pi) a.
+TEST(AccuracyForecast, measures_the_spots_of_a_wave)
+{
+  const double    a            = 0.2e-6;
+  SceneParameters parameters   = coarse_scene();
+  parameters.tool.wave_numbers = {2};
+  parameters.tool.amplitudes   = {a};
+  parameters.tool.phases       = {0.7};
+  const double contact =
+    forecast_numbers(parameters, Scene<2>(parameters)).contact;
+  const double pressure = parameters.load.pressure;
+  parameters.load.pressure *= 0.5 / contact;
+  const Scene<2>        scene(parameters);
+  const ForecastNumbers found = forecast_numbers(parameters, scene);
+  const double          h = scene.contact_element_length(), L = scene.length;
+  // Two waves, of which each has a spot.
+  EXPECT_NEAR(found.elements_in_spot, L / 4. / h, 0.01 * L / 4. / h);
+  EXPECT_NEAR(found.elements_passed,
+              found.way_over_spot * found.elements_in_spot,
+              1e-9);
+  EXPECT_NEAR(found.elements_passed,
+              parameters.load.velocity * parameters.protocol.end_time / h,
+              1e-9);
+  // The pressure on what touches is p over its share.
+  EXPECT_NEAR(found.softness,
+              pressure / contact / scene.penalty() / (2. / M_PI * a),
+              0.01 * found.softness);
 }
 
 TEST(AccuracyForecast, advises_settings_for_the_wanted_error)

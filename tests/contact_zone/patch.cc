@@ -203,6 +203,8 @@ TEST(Patch, says_what_three_dimensions_do_not_have)
               "found 3 with heat that is conducted");
   expect_said(refusal(section("Mesh", "Adaptive levels = 1")),
               "found 3 with a mesh that changes");
+  expect_said(refusal(section("Mesh", "Offset = 0.5")),
+              "found 3 with surfaces that are moved against the mesh");
   expect_said(refusal(section("Accuracy", "Control = estimate")),
               "found 3 with an estimate of the error of mu");
 }

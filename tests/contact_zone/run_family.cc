@@ -38,6 +38,50 @@ TEST(RunFamily, members_differ_in_one_thing_each)
   EXPECT_EQ(Scene<2>(with_fineness(parameters, {0, 0, -1})).penalty(), 5e15);
 }
 
+TEST(RunFamily, moves_the_surfaces_by_halves_of_an_element)
+{
+  SceneParameters parameters   = coarse_scene();
+  parameters.chip.kind         = SurfaceKind::harmonics;
+  parameters.chip.wave_numbers = {2};
+  parameters.chip.amplitudes   = {0.03e-6};
+  parameters.chip.phases       = {0.4};
+  const Scene<2> scene(parameters);
+  const double   h = scene.contact_element_length();
+  for (const int mesh : {0, -1})
+    {
+      const Scene<2> moved(with_fineness(parameters, {mesh, 0, 0, 1}));
+      const double   distance = mesh == 0 ? 0.5 * h : h;
+      for (const double x : {0., 0.3 * h, 0.77 * scene.length})
+        {
+          EXPECT_NEAR(moved.tool_surface.height(x),
+                      scene.tool_surface.height(x - distance),
+                      1e-17);
+          EXPECT_NEAR(moved.chip_surface.height(x),
+                      scene.chip_surface.height(x - distance),
+                      1e-17);
+        }
+    }
+  // Elements that are moved stay where they are on other meshes.
+  parameters.mesh.offset = 0.5;
+  EXPECT_EQ(with_fineness(parameters, {-1, 0, 0}).mesh.offset, 0.25);
+  EXPECT_EQ(with_fineness(parameters, {1, 0, 0}).mesh.offset, 1.);
+}
+
+// On a mesh of one level the scene is the same again after a whole element.
+TEST(RunFamily, offsets_change_nothing_but_the_mesh)
+{
+  SceneParameters parameters      = coarse_scene();
+  parameters.mesh.spans           = 20;
+  parameters.mesh.refinement      = 0;
+  parameters.protocol.ramp_steps  = 3;
+  parameters.protocol.slide_steps = 2;
+  parameters.solver.tolerance     = 1e-9;
+  RunFamily    family(parameters);
+  const double mu = family.run({}).mu;
+  EXPECT_NEAR(family.run({0, 0, 0, 2}).mu, mu, 1e-6 * mu);
+  EXPECT_GT(std::abs(family.run({0, 0, 0, 1}).mu - mu), 1e-4 * mu);
+}
+
 TEST(RunFamily, knows_which_meshes_there_are)
 {
   // 40 spans, one level: 20, 10, but 5 is odd.

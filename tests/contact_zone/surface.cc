@@ -50,6 +50,21 @@ TEST(Surface, harmonics_follow_their_formula)
     }
 }
 
+TEST(Surface, moves_as_a_whole)
+{
+  const Surface tool     = make_surface(SceneParameters().tool, L);
+  const double  distance = 0.037e-6;
+  const Surface moved    = tool.moved(distance);
+  for (unsigned int i = 0; i <= 100; ++i)
+    {
+      // Beyond the ends of a period as well.
+      const double x = 2. * L * i / 100 - 0.5 * L;
+      EXPECT_NEAR(moved.height(x), tool.height(x - distance), 1e-18) << x;
+      EXPECT_NEAR(moved.curve.value(x)[0], x, 1e-19);
+    }
+  EXPECT_EQ(moved.period, L);
+}
+
 TEST(Surface, harmonics_are_scaled_in_height)
 {
   SurfaceParameters parameters  = SceneParameters().tool;

@@ -63,13 +63,13 @@ def reference_scenes():
     return found
 
 
-def profile_scenes():
+def profile_scenes(seed=15, number_of_each=None, prefix=""):
     """Loads from 300 to 1300 MPa and 22.5 to 200 m/min (by their logarithms),
     25 to 675 degC, 0.2 to 1 um of sliding."""
-    found, draw = {}, random.Random(15).uniform
+    found, draw = {}, random.Random(seed).uniform
     for surface, (number, file, _, rows, starts, lengths,
                   more) in SURFACES.items():
-        for i in range(number):
+        for i in range(number_of_each or number):
             pressure = round(300 * (1300 / 300)**draw(0, 1))
             velocity = round(22.5 * (200 / 22.5)**draw(0, 1), 1)
             entries = {**dry_scene.load_case(pressure, velocity,
@@ -88,9 +88,14 @@ def profile_scenes():
                     f"{round(draw(*lengths))} um"
             entries.update({TOPOGRAPHY + name: value
                             for name, value in more.items()})
-            found[f"{surface}_{i + 1}"] = (os.path.join(MEASURED, file),
-                                           entries)
+            found[f"{prefix}{surface}_{i + 1}"] = (
+                os.path.join(MEASURED, file), entries)
     return found
+
+
+def fresh_scenes():
+    """Two more profiles of each surface, on which nothing was fitted."""
+    return profile_scenes(seed=29, number_of_each=2, prefix="fresh_")
 
 
 def fine_scenes():
@@ -103,7 +108,7 @@ def fine_scenes():
 
 def missing(scene):
     """The map of a scene if it is not there."""
-    surface = SURFACES.get(scene.split("_")[0])
+    surface = SURFACES.get(scene.removeprefix("fresh_").split("_")[0])
     if surface and surface[2] and not os.path.exists(surface[2]):
         return surface[2]
     return None
@@ -111,4 +116,5 @@ def missing(scene):
 
 def scenes():
     """Files and the entries that are set beside them, by name."""
-    return {**reference_scenes(), **profile_scenes(), **fine_scenes()}
+    return {**reference_scenes(), **profile_scenes(), **fine_scenes(),
+            **fresh_scenes()}

@@ -14,22 +14,26 @@ Usage: tools/benchmarks/effectivity.py [--asperity PROGRAM] [--to FOLDER]
             edge: mu, unknowns, cost, and what changes of the mesh do to the run
             (--finest 640 is the reference, at 320 spans a fifth of its time)
   check     error and time that `asperity check` predicts for these settings
-            against the run, on the scenes that no constant was fitted to
+            against the run and its estimate, on ten profiles that no constant
+            was fitted to (--scenes fresh)
 
 Tables go to the screen in Markdown. Runs that are done stay in FOLDER (default
 output/effectivity) and are not repeated, so that the tool can be stopped and
 started at will. --scenes R0,blasted takes the scenes whose names begin so;
 fine takes R0 with two more harmonics.
 
-The finer run has half the element length, a quarter of the time step and eight
-times the penalty [Pa/m] on reference scenes, whose mu is in
-parameter_files/reference_scenes/finest.csv. That of the profiles has half the
-length, half the step and four times the penalty, which costs a third; mu of
-those that were computed is in histories/finer_profiles.csv. It is itself off
-by half of the error by steps and a quarter of the others, and the estimate is
-compared with as much of itself as it can see. Errors below a tenth of
-Accuracy/Error are nobody's concern, and chance where errors cancel: ratios
-are told as they are, and with estimate and error raised to that floor.
+mu of the finer runs is in histories/accuracy_references.csv: half the element
+length, a quarter of the time step and eight times the penalty [Pa/m], the mean
+of runs on meshes that are moved against the surfaces, by 0 and half an element
+or by a quarter, half and three quarters of one, and its uncertainty from their
+scatter. It is itself off by a quarter of the errors by mesh and steps and an
+eighth of that by the penalty, and the estimate is compared with as much of
+itself as it can see. Scenes that are not in it are compared with one run of
+half the length, half the step and four times the penalty.
+
+Errors below a seventh of Accuracy/Error (0.1 %) are nobody's concern, and errors
+below the uncertainty of the reference nobody knows: ratios are told as they
+are, and with estimate and error raised to the larger of the two.
 """
 
 import argparse
@@ -43,11 +47,11 @@ import sys
 
 import accuracy_scenes
 import dry_scene
-from accuracy_scenes import REFERENCE, scenes
+from accuracy_scenes import scenes
 
 ROOT = dry_scene.ROOT
-PROFILES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "histories",
-                        "finer_profiles.csv")
+REFERENCES = os.path.join(os.path.dirname(os.path.abspath(__file__)),
+                          "histories", "accuracy_references.csv")
 DEFAULT = {"Mesh/Spans": 160, "Mesh/Refinement levels": 3,
            "Mesh/Strip depth": "0.1 um",
            "Protocol/Ramp steps": 24, "Protocol/Slide steps": 96,
@@ -56,9 +60,9 @@ DEFAULT = {"Mesh/Spans": 160, "Mesh/Refinement levels": 3,
 FINER = {**DEFAULT, "Mesh/Spans": 320, "Mesh/Refinement levels": 4,
          "Mesh/Strip depth": "0.05 um", "Protocol/Ramp steps": 48,
          "Protocol/Slide steps": 192, "Contact/Penalty factor": 16}
-SEEN = {"mesh": 0.75, "step": 0.5, "penalty": 0.75}
-ALL = {"mesh": 1., "step": 1., "penalty": 1.}
-FLOOR = 0.1 * 0.007
+SEEN = {"mesh": 0.75, "step": 0.75, "penalty": 0.875}
+SEEN_BY_ONE = {"mesh": 0.75, "step": 0.5, "penalty": 0.75}
+FLOOR = 1e-3
 
 
 def cached_run(arguments, scene, name, entries):
@@ -78,28 +82,22 @@ def cached_run(arguments, scene, name, entries):
     return summary
 
 
-def known_mu(path):
-    """mu of runs that were computed once, by scene."""
-    with open(path, encoding="utf-8") as file:
-        return {row["scene"]: float(row["mu"]) for row in csv.DictReader(file)}
-
-
 def truth(arguments, scene):
-    """mu of a finer run, and the part of each error that it can see."""
-    finest = known_mu(os.path.join(REFERENCE, "finest.csv"))
-    if scene in finest:
-        return finest[scene], ALL
-    finer = known_mu(PROFILES)
-    if scene in finer:
-        return finer[scene], SEEN
+    """mu of finer runs, its relative uncertainty, and the part of each error
+    that they can see."""
+    with open(REFERENCES, encoding="utf-8") as file:
+        for row in csv.DictReader(file):
+            if row["scene"] == scene:
+                return (float(row["mu"]), float(row["uncertainty"] or 0.), SEEN)
     summary = cached_run(arguments, scene, "finer", FINER)
-    return (None if summary is None else summary["friction"]["mu"]), SEEN
+    return (None if summary is None else summary["friction"]["mu"], 0.,
+            SEEN_BY_ONE)
 
 
-def total(parts):
+def total(parts, chance):
     """As ErrorEstimate::total(), of parts with their signs."""
     squares = sum(part**2 for part in parts)
-    return (0.5 * (squares + sum(parts)**2))**0.5
+    return (sum(parts)**2 + 0.1**2 * squares + chance**2)**0.5
 
 
 def within(ratios, low=0.5, high=2.):
@@ -108,27 +106,31 @@ def within(ratios, low=0.5, high=2.):
 
 def estimate(arguments):
     dry_scene.print_head("scene | mu | off [%] | estimate [%] | mesh | steps | "
-                         "penalty | cost of companions | estimate over error | "
+                         "penalty | chance | uncertainty of the reference [%] | "
+                         "cost of companions | estimate over error | "
                          "with floor")
     ratios, floored = [], []
     for scene in chosen(arguments):
         summary = cached_run(arguments, scene, "estimate",
                              {**DEFAULT, "Accuracy/Control": "estimate"})
-        mu, seen = truth(arguments, scene)
+        mu, uncertainty, seen = truth(arguments, scene)
         if summary is None or mu is None or "accuracy" not in summary:
             print(f"| {scene} | no result |", flush=True)
             continue
         off = summary["friction"]["mu"] / mu - 1.
         told = summary["accuracy"]["by_source"]
-        expected = total([told[source] * seen[source] for source in seen])
+        expected = total([told[source] * seen[source] for source in seen],
+                         told["chance"])
+        floor = max(FLOOR, uncertainty)
         ratios.append(expected / abs(off))
-        floored.append(max(expected, FLOOR) / max(abs(off), FLOOR))
+        floored.append(max(expected, floor) / max(abs(off), floor))
         cost = (summary["mesh"]["unknowns"]
                 * summary["cost"]["newton_iterations"])
         print(f"| {scene} | {summary['friction']['mu']:.5f} | {100 * off:+.2f} "
               f"| {100 * summary['accuracy']['error']:.2f} | "
               + " | ".join(f"{100 * told[source]:+.2f}" for source in seen)
-              + f" | {summary['accuracy']['cost'] / cost - 1.:.2f} | "
+              + f" | {100 * told['chance']:.2f} | {100 * uncertainty:.2f}"
+              f" | {summary['accuracy']['cost'] / cost - 1.:.2f} | "
               f"{ratios[-1]:.2f} | {floored[-1]:.2f} |", flush=True)
     for name, values in (("", ratios), ("with floor, ", floored)):
         if values:
@@ -149,7 +151,7 @@ def adaptive(arguments):
             {**DEFAULT, "Accuracy/Control": "adaptive",
              "Accuracy/Error": arguments.error})
         default = cached_run(arguments, scene, "default", DEFAULT)
-        mu, _ = truth(arguments, scene)
+        mu, _, _ = truth(arguments, scene)
         if (summary is None or default is None or mu is None
                 or "accuracy" not in summary):
             print(f"| {scene} | no result |", flush=True)
@@ -227,27 +229,28 @@ def prediction(arguments, file):
 
 
 def check(arguments):
-    dry_scene.print_head("scene | off [%] | predicted [%] | predicted over off "
-                         "| cost over R0's | predicted | predicted over cost")
+    dry_scene.print_head("scene | estimate [%] | predicted [%] | predicted over "
+                         "estimate | cost over R0's | predicted | predicted "
+                         "over cost")
     errors, costs = [], []
     reference = cached_run(arguments, "R0_p300_v200_T25", "default", DEFAULT)
     of_reference = (reference["mesh"]["unknowns"]
                     * reference["cost"]["newton_iterations"])
     for scene in chosen(arguments):
-        summary = cached_run(arguments, scene, "default", DEFAULT)
-        mu, _ = truth(arguments, scene)
-        if summary is None or mu is None:
+        summary = cached_run(arguments, scene, "estimate",
+                             {**DEFAULT, "Accuracy/Control": "estimate"})
+        if summary is None or "accuracy" not in summary:
             print(f"| {scene} | no result |", flush=True)
             continue
         error, time = prediction(
-            arguments, os.path.join(arguments.to, scene, "default",
+            arguments, os.path.join(arguments.to, scene, "estimate",
                                     "scene.prm"))
-        off = abs(summary["friction"]["mu"] / mu - 1.)
+        estimated = summary["accuracy"]["error"]
         cost = (summary["mesh"]["unknowns"]
                 * summary["cost"]["newton_iterations"] / of_reference)
-        errors.append(error / off)
+        errors.append(error / estimated)
         costs.append(time / cost)
-        print(f"| {scene} | {100 * off:.2f} | {100 * error:.2f} | "
+        print(f"| {scene} | {100 * estimated:.2f} | {100 * error:.2f} | "
               f"{errors[-1]:.2f} | {cost:.2f} | {time:.2f} | {costs[-1]:.2f} |",
               flush=True)
     if errors:

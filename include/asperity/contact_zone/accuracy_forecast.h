@@ -10,11 +10,11 @@
 namespace asperity
 {
   /**
-   * What error and time of a run will be, from the scene alone: a power law in
-   * a few of its numbers, fitted to the sixteen dry reference scenes
+   * What error and time of a run will be, from the scene alone: power laws in a
+   * few of its numbers, fitted to dry scenes
    * (parameter_files/reference_scenes/README.md, "What the program says before
-   * a run"). The time is good for a factor of two. The error is not where a
-   * tool has finer waves than those scenes.
+   * a run"). The time is good for a factor of two, the error in two of three
+   * scenes.
    */
   struct AccuracyForecast
   {
@@ -39,6 +39,14 @@ namespace asperity
     double steps    = 0.; ///< time steps
     double penalty_factor = 0.; ///< of E/h
     double unknowns       = 0.;
+
+    /** Of the spots that touch, as they are if the tool is cut off at the
+     *  height below which it has the share of the edge that touches: elements
+     *  of the contact edge in a mean one; sliding distance over its length and
+     *  over that of an element; and how far the penalty lets the tool in under
+     *  the pressure there, over the mean depth that is cut off. */
+    double elements_in_spot = 0., way_over_spot = 0., elements_passed = 0.,
+           softness = 0.;
   };
 
   /** @throws InputError if the chip has no strength */

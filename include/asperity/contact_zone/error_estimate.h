@@ -13,10 +13,12 @@ namespace asperity
   {
     double mesh = 0., step = 0., penalty = 0.;
 
-    /** All of them; not negative. Their signs are known where mu converges
-     *  smoothly, and left to chance where edges of contacts pass few elements:
-     *  the quadratic mean of their sum and of the root of the sum of their
-     *  squares. */
+    /** What is not known of their sum, since edges of contacts come to lie
+     *  somewhere in elements: its standard deviation, not negative. */
+    double chance = 0.;
+
+    /** All of them; not negative: the root of the squares of their sum, of what
+     *  is left to chance, and of a share of each, by which it is uncertain. */
     double
     total() const;
 
@@ -30,16 +32,21 @@ namespace asperity
   };
 
   /**
-   * The error of a run by coarser companions of its family, each of which
-   * differs in one thing from another.
+   * The error of a run by companions of its family, each of which differs in
+   * one thing from another.
    *
-   * Halving the elements twice measures the constant C of an error C h^2 by two
-   * changes of mu. Edges of contacts, which come to lie somewhere in elements,
-   * add a share to each that is left to chance, and on the longest elements
-   * contacts may not be resolved at all, so that the smaller one counts. The
-   * error by steps and penalty, which is of first order, is told by what
-   * halving each of them changes on elements twice as long, which cost a
-   * third; on those of the run if longer ones change mu by more than 5 %.
+   * Elements twice as long tell the error by the mesh, of second order and less
+   * where they do not resolve the contacts, by a mean of two draws: their edges
+   * are moved by half an element. What halving steps and penalty changes on
+   * them tells the errors by these, of first order.
+   *
+   * If the two draws differ by so much that the sum of these errors is left to
+   * chance, if the chip slides over less than two elements, or if longer
+   * elements change mu by more than 5 %, the companions for steps and penalty
+   * have the elements of the run; and another with its settings on moved
+   * elements tells how far the run is from the mean of its own draws.
+   *
+   * They cost about 1.5 runs, or about 4 where much is left to chance.
    *
    * @param of the run whose error is wanted; its mesh must have a coarser one
    * @throws ComputationError if a companion fails

@@ -16,6 +16,10 @@ namespace asperity
     int step    = 0; ///< time steps
     int penalty = 0; ///< penalty [Pa/m], whatever the mesh
 
+    /** Halves of an element by which the surfaces are moved against the mesh:
+     *  no finer, but another draw of what is left to chance. */
+    int offset = 0;
+
     bool
     operator<(const Fineness &other) const;
 
@@ -37,6 +41,10 @@ namespace asperity
     double       mu                = 0.;
     unsigned int unknowns          = 0;
     unsigned int newton_iterations = 0;
+
+    /** Elements of the contact edge over which the chip slides; 0 where nobody
+     *  has said it. */
+    double elements_passed = 0.;
 
     /** To which the time of a run is nearly proportional. */
     double

@@ -106,6 +106,10 @@ namespace asperity
     double       grading    = 1.5;    ///< growth of rows with depth
     unsigned int quadrature = 0;      ///< Gauss points; 0: the degree
 
+    /** Of both surfaces along x against the mesh, in elements of the contact
+     *  edge; two dimensions only. */
+    double offset = 0.;
+
     /** Of the refinement levels, the finest ones that are only where the chip
      *  touches or soon will; and the sliding distance for which they suffice
      *  [m]. */

@@ -45,6 +45,10 @@ namespace asperity
     /** factor s(x) + offset */
     Surface
     mapped(const double factor, const double offset) const;
+
+    /** s(x - distance), exactly. */
+    Surface
+    moved(const double distance) const;
   };
 
   /**
