@@ -41,6 +41,22 @@ namespace asperity
 
 
 
+  namespace
+  {
+    void
+    declare_offset(ParameterDeclarator &parameters, double &offset)
+    {
+      parameters.number("Offset",
+                        offset,
+                        Range::between(-1., 1.),
+                        "Part of an element of the contact edge by which both "
+                        "surfaces are moved along x against the mesh: what "
+                        "this changes of mu is numerical error.");
+    }
+  } // namespace
+
+
+
   void
   MeshParameters::declare(ParameterDeclarator &parameters)
   {
@@ -98,12 +114,7 @@ namespace asperity
                        "the degree, at which the smooth splines are stable and "
                        "mu changes by 1e-4 against degree + 1; fewer leave "
                        "motions without stress and are refused.");
-    parameters.number("Offset",
-                      offset,
-                      Range::between(-1., 1.),
-                      "Part of an element of the contact edge by which both "
-                      "surfaces are moved along x against the mesh: what this "
-                      "changes of mu is numerical error.");
+    declare_offset(parameters, offset);
   }
 
 

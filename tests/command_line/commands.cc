@@ -231,7 +231,9 @@ TEST_F(Commands, a_run_chooses_its_settings_where_that_is_wanted)
             std::string::npos)
     << result.output;
 
-  EXPECT_NE(run("check scene.prm").output.find("For 0.1 %: Mesh/Spans = "),
+  EXPECT_NE(run("check scene.prm")
+              .output.find("No settings within a few halvings of these keep an "
+                           "error of 0.1 %."),
             std::string::npos);
 
   write("scene.prm",
