@@ -19,7 +19,12 @@ namespace asperity
       , side(free_side)
     {}
 
-    /** From the better one of the guess and the place above or below. */
+    /** The place that is closest among the guess, the place above or below,
+     *  and, of a point further away than a period, the lowest or highest one:
+     *  from there the certificate has far less to look at. */
+    SheetFoot
+    start_of(const SheetDistance &distance, const Point<2> *guess) const;
+
     SheetProjection
     project(const Point<3> &point, const Point<2> *guess) const;
 
@@ -33,25 +38,44 @@ namespace asperity
 
 
 
+  SheetFoot
+  ClosestPointOnSheet::Implementation::start_of(const SheetDistance &distance,
+                                                const Point<2> *guess) const
+  {
+    const Point<3> &point = distance.point();
+    SheetFoot       best  = distance.foot(point[0], point[1]);
+    const auto      look  = [&](const double x, const double y) {
+      const double place[] = {x, y};
+      double       nearest[2];
+      for (unsigned int d = 0; d < 2; ++d)
+        nearest[d] =
+          place[d] + pieces.period(d) *
+                       std::round((point[d] - place[d]) / pieces.period(d));
+      const SheetFoot foot = distance.foot(nearest[0], nearest[1]);
+      if (foot.squared_distance() < best.squared_distance())
+        best = foot;
+    };
+    if (guess != nullptr)
+      look((*guess)[0], (*guess)[1]);
+    if (std::abs(best.rz) > std::min(pieces.period(0), pieces.period(1)))
+      {
+        const auto &place =
+          best.rz > 0. ? pieces.lowest_place() : pieces.highest_place();
+        look(place[0], place[1]);
+      }
+    return best;
+  }
+
+
+
   SheetProjection
   ClosestPointOnSheet::Implementation::project(const Point<3> &point,
                                                const Point<2> *guess) const
   {
     const SheetDistance distance(pieces, point);
-    SheetFoot           start = distance.foot(point[0], point[1]);
+    const SheetFoot     start = start_of(distance, guess);
     if (!std::isfinite(start.squared_distance()))
       return describe(point, start);
-    if (guess != nullptr)
-      {
-        double place[2];
-        for (unsigned int d = 0; d < 2; ++d)
-          place[d] = (*guess)[d] +
-                     pieces.period(d) *
-                       std::round((point[d] - (*guess)[d]) / pieces.period(d));
-        const SheetFoot guessed = distance.foot(place[0], place[1]);
-        if (guessed.squared_distance() < start.squared_distance())
-          start = guessed;
-      }
     SheetCertificate certificate(pieces, distance, distance.minimize(start));
     const bool       certified  = certificate.prove();
     SheetProjection  projection = describe(point, certificate.best());

@@ -168,8 +168,39 @@ namespace asperity
     const long last_x  = pieces.span(0, point[0] + reach);
     const long first_y = pieces.span(1, point[1] - reach);
     const long last_y  = pieces.span(1, point[1] + reach);
-    for (long j = first_y; j <= last_y; ++j)
-      for (long i = first_x; i <= last_x; ++i)
+    for (long j = first_y, next_j; j <= last_y; j = next_j)
+      {
+        next_j = std::min(pieces.end_of_block(1, j), last_y + 1);
+        for (long i = first_x, next_i; i <= last_x; i = next_i)
+          {
+            next_i = std::min(pieces.end_of_block(0, i), last_x + 1);
+            if (!examine_block({{i, j}}, {{next_i, next_j}}))
+              return false;
+          }
+      }
+    return true;
+  }
+
+
+
+  bool
+  SheetCertificate::examine_block(const std::array<long, 2> &begin,
+                                  const std::array<long, 2> &end)
+  {
+    const dealii::Point<3> &point = distance.point();
+    double                  gap2  = 0.;
+    for (unsigned int d = 0; d < 2; ++d)
+      {
+        const double here = gap(pieces.begin(d, begin[d]) - point[d],
+                                pieces.begin(d, end[d]) - point[d]);
+        gap2 += here * here;
+      }
+    const auto  &bounds = pieces.block_bounds(pieces.piece(begin[0], begin[1]));
+    const double here   = gap(bounds[0] - point[2], bounds[1] - point[2]);
+    if (gap2 + here * here >= best_squared_distance)
+      return true;
+    for (long j = begin[1]; j < end[1]; ++j)
+      for (long i = begin[0]; i < end[0]; ++i)
         {
           examine(i, j);
           if (n_parts > max_parts)

@@ -143,8 +143,51 @@ namespace asperity
         bendings.push_back(bending_of(piece, degree));
         all_bending.include(bendings.back());
       }
-    all_lowest  = *std::min_element(bernstein.begin(), bernstein.end());
-    all_highest = *std::max_element(bernstein.begin(), bernstein.end());
+    const auto [low, high] =
+      std::minmax_element(bernstein.begin(), bernstein.end());
+    all_lowest       = *low;
+    all_highest      = *high;
+    place_of_lowest  = middle_of((low - bernstein.begin()) / n_coefficients);
+    place_of_highest = middle_of((high - bernstein.begin()) / n_coefficients);
+    build_blocks();
+  }
+
+
+
+  void
+  SheetPieces::build_blocks()
+  {
+    const unsigned int n        = axes[0].n;
+    const unsigned int n_blocks = (n + spans_of_block - 1) / spans_of_block;
+    for (std::size_t piece = 0; piece < bendings.size(); ++piece)
+      {
+        const unsigned int block =
+          piece / n / spans_of_block * n_blocks + piece % n / spans_of_block;
+        block_of.push_back(block);
+        if (block >= blocks.size())
+          blocks.resize(block + 1, {{all_highest, all_lowest}});
+        blocks[block][0] = std::min(blocks[block][0], lowest(piece));
+        blocks[block][1] = std::max(blocks[block][1], highest(piece));
+      }
+  }
+
+
+
+  long
+  SheetPieces::end_of_block(const unsigned int direction, const long span) const
+  {
+    const long n = axes[direction].n, of_turn = ((span % n) + n) % n;
+    const long end = (of_turn / spans_of_block + 1) * spans_of_block;
+    return span - of_turn + std::min(end, n);
+  }
+
+
+
+  std::array<double, 2>
+  SheetPieces::middle_of(const std::size_t piece) const
+  {
+    return {
+      {axes[0].middle[piece % axes[0].n], axes[1].middle[piece / axes[0].n]}};
   }
 
 

@@ -102,7 +102,7 @@ TEST(Restart, goes_on_identically_in_three_dimensions)
 {
   SceneParameters parameters = narrow_scene();
   parameters.interface.law   = InterfaceShear::limited_coulomb;
-  expect_identical_rest<3>(parameters, 4);
+  expect_identical_rest<3>(parameters, 3);
 }
 
 TEST(Restart, keeps_what_a_steady_window_has_seen)

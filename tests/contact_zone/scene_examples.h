@@ -28,7 +28,7 @@ namespace asperity
   {
     SceneParameters parameters     = coarse_scene();
     parameters.mesh.spans          = 16;
-    parameters.protocol.ramp_steps = 3, parameters.protocol.slide_steps = 4;
+    parameters.protocol.ramp_steps = 2, parameters.protocol.slide_steps = 3;
     parameters.solver.tolerance   = 1e-9;
     parameters.geometry.dimension = 3;
     parameters.geometry.width     = 3. / 8. * parameters.geometry.length;

@@ -66,6 +66,12 @@ namespace asperity
     bool
     examine_all();
 
+    /** @return whether the search may go on
+     *  @param begin, end spans of one block along x and y */
+    bool
+    examine_block(const std::array<long, 2> &begin,
+                  const std::array<long, 2> &end);
+
     void
     examine(const long span_x, const long span_y);
 

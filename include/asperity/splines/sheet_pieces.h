@@ -71,6 +71,18 @@ namespace asperity
     std::size_t
     piece(const long span_x, const long span_y) const;
 
+    /** Blocks of neighbouring pieces, for a first look at many: the first span
+     *  of any turn after the block of this one. */
+    long
+    end_of_block(const unsigned int direction, const long span) const;
+
+    /** Lowest and highest control height of the block of a piece [m]. */
+    const std::array<double, 2> &
+    block_bounds(const std::size_t piece) const
+    {
+      return blocks[block_of[piece]];
+    }
+
     /** Control heights [m], as SheetPiece. */
     const double *
     heights(const std::size_t piece) const
@@ -115,7 +127,23 @@ namespace asperity
       return all_highest;
     }
 
+    /** The middle of the piece that holds the lowest control height, in the
+     *  first turn. */
+    const std::array<double, 2> &
+    lowest_place() const
+    {
+      return place_of_lowest;
+    }
+
+    const std::array<double, 2> &
+    highest_place() const
+    {
+      return place_of_highest;
+    }
+
   private:
+    static constexpr unsigned int spans_of_block = 8; ///< in each direction
+
     struct Axis
     {
       unsigned int        degree = 0, n = 0;
@@ -126,6 +154,12 @@ namespace asperity
       unsigned int
       locate(const double t, double &s) const;
     };
+
+    std::array<double, 2>
+    middle_of(const std::size_t piece) const;
+
+    void
+    build_blocks();
 
     template <unsigned int P, unsigned int Q>
     void
@@ -140,8 +174,13 @@ namespace asperity
     std::vector<double>       powers; ///< of s and t in [-1, 1]
     std::vector<double>       height_bounds;
     std::vector<SheetBending> bendings;
-    SheetBending              all_bending;
-    double                    all_lowest = 0., all_highest = 0.;
+
+    std::vector<unsigned int>          block_of; ///< of a piece
+    std::vector<std::array<double, 2>> blocks;
+
+    SheetBending          all_bending;
+    double                all_lowest = 0., all_highest = 0.;
+    std::array<double, 2> place_of_lowest{}, place_of_highest{};
   };
 } // namespace asperity
 
