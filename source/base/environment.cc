@@ -1,10 +1,13 @@
 #include <asperity/base/environment.h>
 
 #include <dlfcn.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <initializer_list>
+#include <string>
 
 namespace asperity
 {
@@ -43,6 +46,24 @@ namespace asperity
     else if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
       setenv("OPENBLAS_CORETYPE", "Haswell", 0);
 #endif
+  }
+
+
+
+  double
+  available_memory()
+  {
+    std::ifstream file("/proc/meminfo"); // name: number kB
+    std::string   name, unit;
+    double        number = 0.;
+    while (file >> name >> number)
+      {
+        if (name == "MemAvailable:")
+          return 1024. * number;
+        std::getline(file, unit);
+      }
+    const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
+    return pages > 0 && size > 0 ? double(pages) * size : 0.;
   }
 
 

@@ -59,7 +59,8 @@ namespace asperity
         hint[q][k] = table_.position[q][k];
     position.assign(position.size(), nowhere<dim>());
     if (options.interface.law != InterfaceShear::none)
-      shear_.emplace(tractions, table_, options.interface, options.penalty);
+      shear_.emplace(
+        tractions, table_, options.interface, options.penalty, options.motion);
   }
 
 

@@ -29,16 +29,16 @@ namespace asperity
     /** The tangents of a point and how they turn. */
     template <int dim>
     void
-    set_tangents(const GapPoint<dim> &gap, SlipPoint<dim> &p)
+    set_tangents(const GapPoint<dim>  &gap,
+                 const Tensor<1, dim> &motion,
+                 SlipPoint<dim>       &p)
     {
       const Tensor<1, dim> &n = gap.normal;
       if constexpr (dim == 2)
         p.tangent[0] = turned(n);
       else
         {
-          Tensor<1, dim> along_x;
-          along_x[0]   = 1.;
-          p.tangent[0] = along_x - n[0] * n;
+          p.tangent[0] = motion - (n * motion) * n;
           p.tangent[0] /= p.tangent[0].norm();
           p.tangent[1] = dealii::cross_product_3d(n, p.tangent[0]);
         }
@@ -50,17 +50,21 @@ namespace asperity
                          (gap.direction[m] * p.tangent[k]) * gap.direction[m];
         }
       if constexpr (dim == 3)
-        p.spin = -n[0] / std::sqrt(1. - n[0] * n[0]) * p.turn[1];
+        {
+          const double along = n * motion;
+          p.spin = -along / std::sqrt(1. - along * along) * p.turn[1];
+        }
     }
   } // namespace
 
 
 
   template <int dim>
-  ShearTraction<dim>::ShearTraction(const TractionSpace<dim>  &tractions,
-                                    const BasisTable<dim>     &table,
-                                    const InterfaceParameters &parameters,
-                                    const double               penalty)
+  ShearTraction<dim>::ShearTraction(const TractionSpace<dim>    &tractions,
+                                    const BasisTable<dim>       &table,
+                                    const InterfaceParameters   &parameters,
+                                    const double                 penalty,
+                                    const std::array<double, 2> &direction)
     : tractions(tractions)
     , table(table)
     , law(parameters)
@@ -78,6 +82,8 @@ namespace asperity
     , pressure(tractions.size(), 0.)
     , sticks(tractions.size(), false)
   {
+    for (unsigned int k = 0; k < dim - 1; ++k)
+      motion[k] = direction[k];
     const std::vector<double> zero(tractions.size(), 0.);
     for (unsigned int k = 0; k < dim - 1; ++k)
       {
@@ -101,7 +107,7 @@ namespace asperity
         const Tensor<1, dim> &n   = gap[q].normal;
         const Tensor<1, dim>  way = position[q] - start.positions[q];
         SlipPoint<dim>       &p   = slip_[q];
-        set_tangents(gap[q], p);
+        set_tangents(gap[q], motion, p);
         for (unsigned int k = 0; k < dim - 1; ++k)
           {
             p.slip[k]        = p.tangent[k] * way;

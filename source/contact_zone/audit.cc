@@ -103,7 +103,7 @@ namespace asperity
                        ", and Heat/Model = conducting tells what it errs, for "
                        "10 to 25 % more time")});
       audit.entries.push_back({"sliding distance over the period",
-                               v * end_time / scene.length,
+                               v * end_time / scene.period_of_motion(),
                                "below about 0.05 the contact is still running "
                                "in, and mu depends on the distance: the "
                                "blasted tool of the examples has 0.044 after "
@@ -170,7 +170,7 @@ namespace asperity
           "The contact penalty is soft against the roughness, so that mu is "
           "too small; raise the penalty factor or use augmentations.");
       audit_height(parameters, asperities, audit);
-      double longest = scene.contact_element_length();
+      double longest = scene.length / parameters.mesh.spans;
       if constexpr (dim == 3)
         longest =
           std::max(longest,
@@ -313,6 +313,32 @@ namespace asperity
 
 
 
+  namespace
+  {
+    /** Where elements that are pressed into flanks begin to fold. */
+    constexpr double steepest_flank = 60. * M_PI / 180.;
+
+    void
+    audit_flanks(const Scene<3> &scene, SceneAudit &audit)
+    {
+      const auto look = [&audit](const SheetSurface &surface,
+                                 const std::string  &whose) {
+        const double angle = std::atan(surface.largest_slope());
+        if (angle > steepest_flank)
+          audit.warnings.push_back(
+            whose + " surface: it is up to " +
+            format_quantity(angle, "deg", 3) +
+            " steep, and elements that are pressed into flanks above 60 deg "
+            "fold, so that the run may end early; filter it more (S-filter "
+            "nesting index) or lower it (Scale z).");
+      };
+      look(scene.tool_surface, "Tool");
+      look(scene.chip_surface, "Chip");
+    }
+  } // namespace
+
+
+
   SceneAudit
   audit_scene(const SceneParameters &parameters, const Scene<2> &scene)
   {
@@ -332,6 +358,7 @@ namespace asperity
   {
     SceneAudit audit = audit_motion(parameters, scene);
     audit_interface(parameters, audit);
+    audit_flanks(scene, audit);
     if (scene.tool_surface.topography)
       audit_treatment(parameters.tool.topography,
                       *scene.tool_surface.topography,

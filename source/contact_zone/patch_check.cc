@@ -68,6 +68,19 @@ namespace asperity
 
 
   void
+  check_profiles(const SceneParameters     &p,
+                 const ParameterDeclarator &parameters)
+  {
+    if (p.load.direction != 0.)
+      throw InputError(parameters.where("Load/Sliding direction") + ": found " +
+                       format_quantity(p.load.direction, "deg") +
+                       " in two dimensions; expected 0, since a profile has no "
+                       "other direction, or Geometry/Dimension = 3.");
+  }
+
+
+
+  void
   check_patch(const SceneParameters &p, const ParameterDeclarator &parameters)
   {
     const auto fail = [&](const std::string &found,
@@ -94,11 +107,11 @@ namespace asperity
                        "of a map would be too large.");
     if (p.tool.kind == SurfaceKind::measured &&
         p.tool.topography.direction != 0.)
-      throw InputError(parameters.where("Tool/Topography/Profile direction") +
-                       ": found " +
-                       format_quantity(p.tool.topography.direction, "deg") +
-                       " in three dimensions; expected 0, along the rows of "
-                       "the map.");
+      throw InputError(
+        parameters.where("Tool/Topography/Profile direction") + ": found " +
+        format_quantity(p.tool.topography.direction, "deg") +
+        " in three dimensions; expected 0, since the window keeps "
+        "the axes of the map: choose Load/Sliding direction.");
     if (p.chip.kind == SurfaceKind::measured)
       fail("a measured chip", "Chip surface/Kind = flat or harmonics");
     if (p.contact.quadrature == 1)

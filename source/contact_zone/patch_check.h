@@ -10,6 +10,12 @@ namespace asperity
   void
   check_patch(const SceneParameters     &scene,
               const ParameterDeclarator &parameters);
+
+  /** What belongs to three dimensions only.
+   *  @throws InputError naming the entry */
+  void
+  check_profiles(const SceneParameters     &scene,
+                 const ParameterDeclarator &parameters);
 } // namespace asperity
 
 #endif

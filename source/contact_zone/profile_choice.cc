@@ -83,7 +83,7 @@ namespace asperity
         const Texture texture = measure_texture(filtered);
         if (noise_disturbs(texture))
           continue;
-        choose_direction(texture);
+        choose_direction(texture, areal_texture(filtered));
         choose_period_and_l_filter(filtered);
         choose_place(filtered);
         SurfaceParameters parameters;
@@ -107,18 +107,23 @@ namespace asperity
 
 
   void
-  SurfaceChooser::choose_direction(const Texture &texture)
+  SurfaceChooser::choose_direction(const Texture      &texture,
+                                   const ArealTexture &areal)
   {
     const std::string slopes =
       "the root mean square slope is " + number(texture.largest_slope) +
       " at " + std::to_string(std::lround(texture.direction * 180. / M_PI)) +
-      " deg" + " to x and " + number(texture.smallest_slope) + " across that";
+      " deg" + " to x and " + number(texture.smallest_slope) +
+      " across that, the texture aspect ratio Str " +
+      (std::isnan(areal.Str) ? "at most " : "") + number(areal.Str_bound);
     std::string reason;
     direction = 0.;
     if (map.ny == 1)
       reason = "the map is a single profile.";
-    else if (!texture.has_lay())
-      reason = slopes + ": no lay; any direction will do.";
+    else if (!areal.has_lay())
+      reason = slopes + ", above " +
+               number(ArealTexture::largest_ratio_of_lay) +
+               ": no lay; any direction will do.";
     else
       {
         direction = texture.direction;

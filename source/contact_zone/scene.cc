@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace asperity
@@ -28,12 +29,32 @@ namespace asperity
     {
       return std::make_shared<SheetObstacle>(tool.sheet);
     }
+
+    /** Exact for right angles. @param angle to x, of a patch [rad] */
+    template <int dim>
+    dealii::Tensor<1, dim>
+    direction_of_motion(const double angle)
+    {
+      dealii::Tensor<1, dim> motion;
+      motion[0] = 1.;
+      if constexpr (dim == 3)
+        {
+          motion[0] = std::cos(angle);
+          motion[1] = std::sin(angle);
+          for (unsigned int d = 0; d < 2; ++d)
+            if (std::abs(motion[d]) < 1e-12)
+              motion[d] = 0.;
+          motion /= motion.norm();
+        }
+      return motion;
+    }
   } // namespace
 
 
 
   template <int dim>
   Scene<dim>::Scene(const SceneParameters &parameters)
+    : motion(direction_of_motion<dim>(parameters.load.direction))
   {
     build_surfaces(parameters);
     build_mesh(parameters);
@@ -121,9 +142,13 @@ namespace asperity
   void
   Scene<dim>::build_contact(const SceneParameters &parameters)
   {
-    tool                    = make_obstacle(tool_surface);
-    contact_element_length_ = length / parameters.mesh.spans;
-    penalty_                = parameters.contact.penalty.value_or(
+    tool = make_obstacle(tool_surface);
+    contact_element_length_ =
+      dim == 2 ?
+        length / parameters.mesh.spans :
+        way_through(length / parameters.mesh.spans,
+                    width / parameters.mesh.n_spans_across(length, width));
+    penalty_ = parameters.contact.penalty.value_or(
       parameters.contact.penalty_factor * law->young_modulus() /
       contact_element_length_);
 
@@ -132,7 +157,9 @@ namespace asperity
     options.penalty            = penalty_;
     options.points_per_element = parameters.contact.quadrature;
     options.interface          = parameters.interface;
-    contact                    = std::make_unique<ContactAssembler<dim>>(
+    if constexpr (dim == 3)
+      options.motion = {{motion[0], motion[1]}};
+    contact = std::make_unique<ContactAssembler<dim>>(
       space, geometry, Edge::top, tool, options);
     surface_layer = std::make_unique<SurfaceLayer<dim>>(chip->table(),
                                                         contact->table(),
@@ -288,10 +315,51 @@ namespace asperity
     Vector u(n_unknowns());
     for (unsigned int a = 0; a < space->n_functions(); ++a)
       {
-        u(displacement_dof<dim>(a, 0))       = along;
+        for (unsigned int c = 0; c < dim - 1; ++c)
+          u(displacement_dof<dim>(a, c)) = along * motion[c];
         u(displacement_dof<dim>(a, dim - 1)) = up;
       }
     return u;
+  }
+
+
+
+  template <int dim>
+  dealii::Tensor<1, dim>
+  Scene<dim>::across() const
+  {
+    dealii::Tensor<1, dim> left;
+    if constexpr (dim == 3)
+      {
+        left[0] = -motion[1];
+        left[1] = motion[0];
+      }
+    return left;
+  }
+
+
+
+  template <int dim>
+  double
+  Scene<dim>::period_of_motion() const
+  {
+    return way_through(length, width);
+  }
+
+
+
+  template <int dim>
+  double
+  Scene<dim>::way_through(const double along_x, const double along_y) const
+  {
+    if constexpr (dim == 2)
+      return along_x;
+    const double edges[] = {along_x, along_y};
+    double       way     = std::numeric_limits<double>::max();
+    for (unsigned int d = 0; d < 2; ++d)
+      if (motion[d] != 0.)
+        way = std::min(way, edges[d] / std::abs(motion[d]));
+    return way;
   }
 
 

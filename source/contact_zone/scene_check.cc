@@ -291,6 +291,8 @@ namespace asperity
     check_adaptive_levels(*this, parameters);
     if (geometry.dimension == 3)
       check_patch(*this, parameters);
+    else
+      check_profiles(*this, parameters);
     heat.check(parameters, material.heating.adiabatic);
     protocol.check(parameters, load.velocity);
     if (fills_gap(lubrication.model) &&

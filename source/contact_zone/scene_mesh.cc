@@ -1,3 +1,4 @@
+#include <asperity/base/environment.h>
 #include <asperity/base/errors.h>
 #include <asperity/contact_zone/scene.h>
 #include <asperity/isogeometric/space_transfer.h>
@@ -42,12 +43,24 @@ namespace asperity
 
 
 
+  double
+  patch_memory(const double n_elements, const unsigned int degree)
+  {
+    const double n           = 3. * n_elements;
+    const double factor      = 20.4 * std::pow(degree * n, 1.38);
+    // Of a degree of 2 tables take 18 to 22 kB, and the matrices as much.
+    const double bandwidth   = std::pow((2. * degree + 1.) / 5., 3);
+    const double per_unknown = 40e3 * bandwidth;
+    return 2. * sizeof(double) * factor + per_unknown * n;
+  }
+
+
+
   namespace
   {
-    /** Bezier elements whose tables, tangent and factors take about 2 GB, in
-     *  three dimensions 10 GB. */
-    template <int dim>
-    constexpr double largest_mesh = dim == 2 ? 1e5 : 3e4;
+    /** Bezier elements whose tables, tangent and factors take about 2 GB in two
+     *  dimensions. */
+    constexpr double largest_mesh = 1e5;
 
     /** Upper bound of the number of elements: each row is as fine as its upper
      *  edge.
@@ -84,6 +97,12 @@ namespace asperity
       return sum;
     }
 
+    std::string
+    format_number_of_bytes(const double bytes)
+    {
+      return format_quantity(1e-9 * bytes, "1", 2) + " GB";
+    }
+
     /** Before memory runs out. */
     template <int dim>
     void
@@ -92,14 +111,22 @@ namespace asperity
                const std::vector<double> &rows)
     {
       const double n = largest_number_of_elements<dim>(mesh, columns, rows);
-      if (n > largest_mesh<dim>)
-        throw InputError(
-          "Mesh: these entries make a mesh of about " +
-          format_quantity(n, "1", 2) + " elements; expected at most " +
-          format_quantity(largest_mesh<dim>, "1") + ": fewer Spans" +
-          (dim == 3 ? " or Spans across" : "") +
-          ", a larger Row grading, a smaller Strip depth, or a "
-          "smaller Chip height.");
+      const double memory    = dim == 3 ? patch_memory(n, mesh.degree) : 0.;
+      const double available = dim == 3 ? available_memory() : 0.;
+      std::string  expected;
+      if (dim == 2 && n > largest_mesh)
+        expected = "; expected at most " + format_quantity(largest_mesh, "1");
+      if (dim == 3 && available > 0. && memory > available)
+        expected = ", which takes about " + format_number_of_bytes(memory) +
+                   " of memory; this machine can give " +
+                   format_number_of_bytes(available);
+      if (!expected.empty())
+        throw InputError("Mesh: these entries make a mesh of about " +
+                         format_quantity(n, "1", 2) + " elements" + expected +
+                         ": fewer Spans" +
+                         (dim == 3 ? " or Spans across" : "") +
+                         ", a larger Row grading, a smaller Strip depth, or a "
+                         "smaller Chip height.");
     }
 
     double
@@ -138,7 +165,9 @@ namespace asperity
     const unsigned int    n_across =
       dim == 3 ? mesh.n_spans_across(length, width) >> mesh.refinement : 1;
     const std::vector<double> rows =
-      graded_rows(height, length / n, mesh.grading);
+      graded_rows(height,
+                  way_through(length / n, width / n_across),
+                  mesh.grading);
     check_size<dim>(mesh, n * n_across, rows);
     std::array<KnotVector, dim> knots;
     knots[0]       = periodic_knots(mesh.degree, length, n);

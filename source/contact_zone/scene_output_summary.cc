@@ -58,6 +58,28 @@ namespace asperity
       return std::isfinite(value) ? json(value) : json(nullptr);
     }
 
+    /** Lengths in m, before scaling; pairs are along x and y. */
+    json
+    to_json(const WindowReport &w)
+    {
+      return {{"column", w.window.column},
+              {"row", w.window.row},
+              {"samples", {w.window.nx, w.window.ny}},
+              {"extent", w.extent},
+              {"filled_samples", w.n_filled},
+              {"removed_tilt", w.removed_tilt},
+              {"largest_jump", w.largest_jump},
+              {"rms_jump", w.rms_jump},
+              {"bridged", w.bridged},
+              {"Sq_before", w.Sq_before},
+              {"Sq_after", w.Sq_after},
+              {"Sdq_before", w.Sdq_before},
+              {"Sdq_after", w.Sdq_after},
+              {"fit_rms", w.fit_rms},
+              {"fit_max", w.fit_max},
+              {"spans", w.n_knots}};
+    }
+
     template <int dim>
     json
     summarise_surfaces(const Scene<dim> &scene)
@@ -71,8 +93,12 @@ namespace asperity
           summary["Sal"] = number_or_null(topography->texture.Sal);
           summary["Str"] = number_or_null(topography->texture.Str);
         }
-      if (dim == 3)
-        summary["width"] = scene.width;
+      if constexpr (dim == 3)
+        {
+          summary["width"] = scene.width;
+          if (scene.tool_surface.window)
+            summary["window"] = to_json(*scene.tool_surface.window);
+        }
       return summary;
     }
 
@@ -225,6 +251,7 @@ namespace asperity
             summary);
     summary["load"]   = {{"pressure", parameters.load.pressure},
                          {"velocity", parameters.load.velocity},
+                         {"sliding_direction", parameters.load.direction},
                          {"temperature", parameters.load.temperature},
                          {"plastic_strain", parameters.load.plastic_strain}};
     summary["models"] = {

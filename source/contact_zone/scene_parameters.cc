@@ -1,5 +1,7 @@
 #include <asperity/contact_zone/scene_parameters.h>
 
+#include <cmath>
+
 namespace asperity
 {
   void
@@ -10,15 +12,15 @@ namespace asperity
                        dimension,
                        Range::between(2, 3),
                        "2: profiles in plane strain; 3: a patch of the "
-                       "surfaces, periodic along and across the motion, "
+                       "surfaces, periodic along x and y, "
                        "without oil and without conduction of heat.");
     parameters.quantity("Width",
                         width,
                         "um",
                         Range::between(1e-8, 1e-2),
-                        "W, the period across the motion of a patch "
+                        "W, the period along y, across x, of a patch "
                         "(Dimension = 3); `automatic`: as the period along "
-                        "it.");
+                        "x.");
     parameters.quantity("Period",
                         length,
                         "um",
@@ -73,9 +75,9 @@ namespace asperity
     parameters.integer("Spans across",
                        across,
                        Range::between(4, most_spans),
-                       "Bezier elements along the contact edge across the "
-                       "motion, of a patch (Dimension = 3); `automatic`: as "
-                       "long as along it.");
+                       "Bezier elements of the contact face along y, across x, "
+                       "of a patch (Dimension = 3); `automatic`: as long as "
+                       "along x.");
     parameters.integer("Refinement levels",
                        refinement,
                        Range::between(0, most_levels),
@@ -133,7 +135,16 @@ namespace asperity
                         velocity,
                         "m/min",
                         Range::between(1e-6 / 60., 1e5 / 60.),
-                        "v, with which the bottom of the chip slides in x.");
+                        "v, with which the bottom of the chip slides in x, or "
+                        "in Sliding direction.");
+    parameters.quantity("Sliding direction",
+                        direction,
+                        "deg",
+                        Range::between(-2. * M_PI, 2. * M_PI),
+                        "Angle to x, towards y, in which the chip of a patch "
+                        "(Dimension = 3) slides: 90 deg is along y. Friction "
+                        "counts along it, `friction.transverse` across it, to "
+                        "its left.");
     parameters.quantity("Temperature",
                         temperature,
                         "degC",

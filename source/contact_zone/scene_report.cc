@@ -64,6 +64,12 @@ namespace asperity
                                  "um",
                                  3)
               << "\n";
+    if constexpr (dim == 3)
+      if (scene.motion[1] != 0.)
+        std::cout << "Slides at "
+                  << format_quantity(
+                       std::atan2(scene.motion[1], scene.motion[0]), "deg", 4)
+                  << " to x\n";
     if (explain)
       print_treatment(scene.tool_surface);
     std::cout << "Chip: " << scene.chip_surface.description << ", "

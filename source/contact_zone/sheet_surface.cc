@@ -1,7 +1,6 @@
 #include <asperity/base/errors.h>
 #include <asperity/contact_zone/sheet_surface.h>
 #include <asperity/splines/spline_fit.h>
-#include <asperity/topography/make_window.h>
 
 #include <algorithm>
 #include <cmath>
@@ -117,8 +116,8 @@ namespace asperity
       choice.extent[0] = topography.length;
       choice.extent[1] =
         width ? *width / topography.scale_x : topography.length;
-      WindowReport window;
-      surface.sheet = make_window(topography, choice, report, window);
+      surface.sheet =
+        make_window(topography, choice, report, surface.window.emplace());
       surface.description =
         "window of " + topography.file + ", " +
         std::to_string(surface.sheet.knot_vector(0).n_spans()) + " x " +

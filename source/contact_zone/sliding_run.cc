@@ -159,6 +159,8 @@ namespace asperity
     step_pressure = protocol_.pressure(state_.time + dt);
     load *= step_pressure;
     step->begin(dt, load);
+    const Vector moved =
+      scene.translation(protocol_.displacement(state_.time + dt), 0.);
     std::optional<Vector> tried;
     for (const Predictor &predict : predictors(dt))
       {
@@ -168,9 +170,7 @@ namespace asperity
           continue;
         tried = u;
         for (const auto &line : scene.constraints().get_lines())
-          u(line.index) = line.index % dim == 0 ?
-                            protocol_.displacement(state_.time + dt) :
-                            0.;
+          u(line.index) = moved(line.index);
         const ConvergenceReport report =
           lubricated_step_ ? lubricated_step_->advance(u, dt) : solve(u);
         if (report.converged && yields_too_much())

@@ -275,9 +275,9 @@ namespace asperity
   typename SlidingRun<dim>::LineLoad
   SlidingRun<dim>::per_width(const dealii::Tensor<1, dim> &force) const
   {
-    return {force[0] / scene.width,
+    return {force * scene.motion / scene.width,
             force[dim - 1] / scene.width,
-            dim == 3 ? force[1] / scene.width : 0.};
+            force * scene.across() / scene.width};
   }
 
 

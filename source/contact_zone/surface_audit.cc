@@ -12,9 +12,6 @@ namespace asperity
     /** The shortest wave that a map shows. */
     constexpr double pixels_a_wave = 3.;
 
-    /** Up to this texture aspect ratio a surface counts as directional. */
-    constexpr double largest_aspect_ratio = 0.3;
-
     void
     audit_texture(const TopographyReport &topography,
                   const std::string      &whose,
@@ -32,7 +29,7 @@ namespace asperity
                                 "the map) ") +
            "above 0.3 a profile in plane strain, a ridge without end, stands "
            "for hills"});
-      if (texture.Str_bound <= largest_aspect_ratio)
+      if (texture.has_lay())
         return;
       const std::string ratio = format_quantity(texture.Str_bound, "1", 2);
       audit.warnings.push_back(

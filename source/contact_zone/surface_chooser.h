@@ -4,6 +4,7 @@
 #include <asperity/base/parameters.h>
 #include <asperity/contact_zone/surface.h>
 #include <asperity/contact_zone/surface_choice.h>
+#include <asperity/topography/autocorrelation.h>
 #include <asperity/topography/texture.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -53,7 +54,7 @@ namespace asperity
     bool
     noise_disturbs(const Texture &texture);
     void
-    choose_direction(const Texture &texture);
+    choose_direction(const Texture &slopes, const ArealTexture &areal);
     void
     choose_period_and_l_filter(HeightMap &filtered);
     void

@@ -42,9 +42,9 @@ namespace asperity
       "1",
       Range::between(-2000., 2000.),
       "Harmonics of a patch (Geometry/Dimension = 3): the numbers "
-      "j of waves across the motion, one for each wave number; "
+      "j of waves along y, one for each wave number; "
       "the surface is the sum of a_k cos(2 pi (k x/L + j y/W) + "
-      "phi_k). Empty: all 0, ridges across the motion.");
+      "phi_k). Empty: all 0, ridges along y.");
     parameters.list("Amplitudes",
                     amplitudes,
                     "um",

@@ -98,7 +98,7 @@ namespace asperity
          [](const SceneParameters &p) {
            return p.tool.kind != SurfaceKind::measured;
          }},
-        {{"Geometry/Width", "Mesh/Spans across"},
+        {{"Geometry/Width", "Mesh/Spans across", "Load/Sliding direction"},
          "Geometry/Dimension = 3",
          [](const SceneParameters &p) { return p.geometry.dimension == 3; }},
         {{"Mesh/Strip depth"},

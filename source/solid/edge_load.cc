@@ -4,35 +4,74 @@
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/quadrature_lib.h>
 
+#include <algorithm>
+
 namespace asperity
 {
   using dealii::Tensor;
   using Vector = dealii::Vector<double>;
 
-  EdgeLoad::EdgeLoad(const SplineSpace<2>   &space,
-                     const PatchGeometry<2> &geometry,
-                     const Edge              edge,
-                     const Kinematics        kinematics,
-                     const unsigned int      n_quadrature)
+  template <int dim>
+  EdgeLoad<dim>::EdgeLoad(const SplineSpace<dim>   &space,
+                          const PatchGeometry<dim> &geometry,
+                          const Edge                edge,
+                          const Kinematics          kinematics,
+                          const unsigned int        n_quadrature)
     : kinematics(kinematics)
-    , table(tabulate_edge(
-        space,
-        geometry,
-        edge,
-        dealii::QGauss<1>(n_quadrature > 0 ? n_quadrature : space.degree() + 1),
-        true))
-    , outward((edge == Edge::bottom || edge == Edge::right) ? 1. : -1.)
-  {}
+    , table(tabulate_edge(space,
+                          geometry,
+                          edge,
+                          dealii::QGauss<dim - 1>(n_quadrature > 0 ?
+                                                    n_quadrature :
+                                                    space.degree() + 1),
+                          true))
+  {
+    Stretch tangents;
+    std::copy_n(table.tangent.begin(), dim - 1, tangents.begin());
+    outward = area_vector(tangents) * table.normal[0] > 0. ? 1. : -1.;
+  }
 
 
 
-  EdgeLoad
-  EdgeLoad::dead_traction(const SplineSpace<2>   &space,
-                          const PatchGeometry<2> &geometry,
-                          const Edge              edge,
-                          const Traction         &traction,
-                          const Kinematics        kinematics,
-                          const unsigned int      n_quadrature)
+  template <int dim>
+  Tensor<1, dim>
+  EdgeLoad<dim>::area_vector(const Stretch &stretch)
+  {
+    if constexpr (dim == 2)
+      return dealii::cross_product_2d(stretch[0]); // the turn to the right
+    else
+      return dealii::cross_product_3d(stretch[0], stretch[1]);
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim>
+  EdgeLoad<dim>::area_change(const Stretch        &stretch,
+                             const Tensor<1, dim> &gradient,
+                             const unsigned int    j)
+  {
+    Tensor<1, dim> sum;
+    for (unsigned int k = 0; k < dim - 1; ++k)
+      {
+        Stretch changed = stretch;
+        changed[k]      = Tensor<1, dim>();
+        changed[k][j]   = gradient[k];
+        sum += area_vector(changed);
+      }
+    return sum;
+  }
+
+
+
+  template <int dim>
+  EdgeLoad<dim>
+  EdgeLoad<dim>::dead_traction(const SplineSpace<dim>   &space,
+                               const PatchGeometry<dim> &geometry,
+                               const Edge                edge,
+                               const Traction           &traction,
+                               const Kinematics          kinematics,
+                               const unsigned int        n_quadrature)
   {
     EdgeLoad load(space, geometry, edge, kinematics, n_quadrature);
     for (unsigned int q = 0; q < load.table.position.size(); ++q)
@@ -43,13 +82,14 @@ namespace asperity
 
 
 
-  EdgeLoad
-  EdgeLoad::follower_pressure(const SplineSpace<2>   &space,
-                              const PatchGeometry<2> &geometry,
-                              const Edge              edge,
-                              const Pressure         &pressure,
-                              const Kinematics        kinematics,
-                              const unsigned int      n_quadrature)
+  template <int dim>
+  EdgeLoad<dim>
+  EdgeLoad<dim>::follower_pressure(const SplineSpace<dim>   &space,
+                                   const PatchGeometry<dim> &geometry,
+                                   const Edge                edge,
+                                   const Pressure           &pressure,
+                                   const Kinematics          kinematics,
+                                   const unsigned int        n_quadrature)
   {
     EdgeLoad load(space, geometry, edge, kinematics, n_quadrature);
     for (const auto &X : load.table.position)
@@ -59,41 +99,46 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  EdgeLoad::set_factor(const double factor)
+  EdgeLoad<dim>::set_factor(const double factor)
   {
     factor_ = factor;
   }
 
 
 
+  template <int dim>
   double
-  EdgeLoad::factor() const
+  EdgeLoad<dim>::factor() const
   {
     return factor_;
   }
 
 
 
+  template <int dim>
   void
-  EdgeLoad::add_couplings(dealii::DynamicSparsityPattern &pattern) const
+  EdgeLoad<dim>::add_couplings(dealii::DynamicSparsityPattern &pattern) const
   {
     if (pressure.empty())
       return;
     for (const auto &element : table.elements)
       for (const unsigned int a : element.functions)
         for (const unsigned int b : element.functions)
-          for (unsigned int i = 0; i < 2; ++i)
-            for (unsigned int j = 0; j < 2; ++j)
-              pattern.add(displacement_dof<2>(a, i), displacement_dof<2>(b, j));
+          for (unsigned int i = 0; i < dim; ++i)
+            for (unsigned int j = 0; j < dim; ++j)
+              pattern.add(displacement_dof<dim>(a, i),
+                          displacement_dof<dim>(b, j));
   }
 
 
 
+  template <int dim>
   bool
-  EdgeLoad::add(const Vector                 &u,
-                Vector                       &residual,
-                dealii::SparseMatrix<double> *tangent)
+  EdgeLoad<dim>::add(const Vector                 &u,
+                     Vector                       &residual,
+                     dealii::SparseMatrix<double> *tangent)
   {
     if (factor_ == 0.)
       return true;
@@ -107,12 +152,13 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  EdgeLoad::add_dead(Vector &residual) const
+  EdgeLoad<dim>::add_dead(Vector &residual) const
   {
     for (const auto &entry : table.elements)
       {
-        const ElementView<2> element(table, entry);
+        const ElementView<dim> element(table, entry);
         for (unsigned int q = 0; q < table.points_per_element; ++q)
           {
             const unsigned int point  = element.point(q);
@@ -126,33 +172,38 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  EdgeLoad::add_follower(const BasisTable<2>::Element &entry,
-                         const Vector                 &u,
-                         Vector                       &residual,
-                         dealii::SparseMatrix<double> *tangent) const
+  EdgeLoad<dim>::add_follower(const typename BasisTable<dim>::Element &entry,
+                              const Vector                            &u,
+                              Vector                                  &residual,
+                              dealii::SparseMatrix<double> *tangent) const
   {
     const bool axisymmetric = (kinematics == Kinematics::axisymmetric);
-    const ElementView<2> element(table, entry);
-    const unsigned int   n = element.n_functions();
+    const ElementView<dim> element(table, entry);
+    const unsigned int     n = element.n_functions();
     for (unsigned int q = 0; q < table.points_per_element; ++q)
       {
         const unsigned int point = element.point(q);
 
-        // The derivative of x along the edge.
-        Tensor<1, 2> stretch = table.tangent[point];
-        double       radius  = table.position[point][0];
-        element.add_stretch(q, u, stretch);
+        // The derivatives of x along the edge.
+        Stretch stretch;
+        double  radius = table.position[point][0];
+        for (unsigned int k = 0; k < dim - 1; ++k)
+          {
+            stretch[k] = table.tangent[(dim - 1) * point + k];
+            element.add_stretch(q, u, stretch[k], k);
+          }
         for (unsigned int a = 0; a < n; ++a)
           radius += element.N(q, a) * u(element.dof(a, 0));
         const double circumference =
           axisymmetric ? 2. * dealii::numbers::PI : 1.;
         const double weight =
           factor_ * pressure[point] * element.JxW(q) * outward * circumference;
-        const double ring         = axisymmetric ? radius : 1.;
-        const double direction[2] = {stretch[1], -stretch[0]};
+        const double         ring      = axisymmetric ? radius : 1.;
+        const Tensor<1, dim> direction = area_vector(stretch);
         for (unsigned int a = 0; a < n; ++a)
-          for (unsigned int i = 0; i < 2; ++i)
+          for (unsigned int i = 0; i < dim; ++i)
             residual(element.dof(a, i)) +=
               weight * ring * element.N(q, a) * direction[i];
         if (tangent == nullptr)
@@ -160,12 +211,17 @@ namespace asperity
         for (unsigned int a = 0; a < n; ++a)
           for (unsigned int b = 0; b < n; ++b)
             {
-              const double turn =
-                weight * ring * element.N(q, a) * element.gradient(q, b)[0];
-              tangent->add(element.dof(a, 0), element.dof(b, 1), turn);
-              tangent->add(element.dof(a, 1), element.dof(b, 0), -turn);
+              for (unsigned int j = 0; j < dim; ++j)
+                {
+                  const Tensor<1, dim> change =
+                    area_change(stretch, element.gradient(q, b), j);
+                  for (unsigned int i = 0; i < dim; ++i)
+                    tangent->add(element.dof(a, i),
+                                 element.dof(b, j),
+                                 weight * ring * element.N(q, a) * change[i]);
+                }
               if (axisymmetric)
-                for (unsigned int i = 0; i < 2; ++i)
+                for (unsigned int i = 0; i < dim; ++i)
                   tangent->add(element.dof(a, i),
                                element.dof(b, 0),
                                weight * element.N(q, a) * element.N(q, b) *
@@ -173,4 +229,9 @@ namespace asperity
             }
       }
   }
+
+
+
+  template class EdgeLoad<2>;
+  template class EdgeLoad<3>;
 } // namespace asperity

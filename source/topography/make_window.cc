@@ -22,6 +22,9 @@ namespace asperity
 
     constexpr unsigned int fewest_samples = 10;
 
+    /** Part of the window that may be filled without a word. */
+    constexpr double filled_silently = 0.01;
+
     std::string
     slope(const double value)
     {
@@ -353,6 +356,13 @@ namespace asperity
         percent(Sq_change) + "), Sdq " + slope(w.Sdq_before) + " -> " +
         slope(w.Sdq_after) + ", change of a sample rms " +
         micrometres(w.fit_rms) + ", largest " + micrometres(w.fit_max) + ".");
+      const double filled = double(w.n_filled) / w.window.nx / w.window.ny;
+      if (filled > filled_silently)
+        report.warnings.push_back(
+          percent(filled) +
+          " of the window's points are missing in the map and were filled by "
+          "straight lines, which have no asperities: choose another window, or "
+          "set Crop = hole-free.");
       if (std::abs(Sq_change) > 0.1)
         report.warnings.push_back(
           "The periodic continuation changes Sq by " + percent(Sq_change) +

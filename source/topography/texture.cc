@@ -13,14 +13,6 @@ namespace asperity
 
 
 
-  bool
-  Texture::has_lay() const
-  {
-    return aspect_ratio() <= 0.6;
-  }
-
-
-
   Texture
   measure_texture(const HeightMap &map)
   {

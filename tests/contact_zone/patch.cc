@@ -1,11 +1,15 @@
 #include <asperity/base/errors.h>
+#include <asperity/contact_zone/audit.h>
 
 #include <deal.II/base/parameter_handler.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <fstream>
 
+#include "../files.h"
 #include "scene_examples.h"
 
 using namespace asperity;
@@ -17,8 +21,9 @@ namespace
 {
   using PatchRun = CompleteRunIn<3>;
 
-  /** Waves along and across, whose ridges are oblique.
-   *  @param sense of their slope, 1 or -1 */
+  /** Waves along and across, whose ridges are oblique, over which the chip
+   *  slides obliquely.
+   *  @param sense of their slope and of the direction, 1 or -1 */
   SceneParameters
   oblique_scene(const double sense)
   {
@@ -30,6 +35,7 @@ namespace
     parameters.tool.across       = {sense, -2. * sense};
     parameters.tool.amplitudes   = {0.1e-6, 0.1e-6};
     parameters.tool.phases       = {0.3, 1.};
+    parameters.load.direction    = sense * M_PI / 6.;
     return parameters;
   }
 
@@ -98,6 +104,46 @@ TEST(Patch, extruded_tool_stays_in_plane_strain_on_finer_elements_across)
   EXPECT_NEAR(patch.run.friction().mu,
               plane.run.friction().mu,
               1e-6 * plane.run.friction().mu);
+}
+
+
+
+// Tool, chip and way are turned by 90 degrees: (x, y) becomes (-y, x).
+TEST(Patch, turned_by_a_right_angle_has_the_same_forces)
+{
+  SceneParameters parameters                = oblique_scene(1.);
+  parameters.load.direction                 = 0.;
+  parameters.interface.law                  = InterfaceShear::coulomb;
+  parameters.interface.friction_coefficient = 0.1;
+  const PatchRun  along_x(parameters);
+  SceneParameters turned = parameters;
+  std::swap(turned.geometry.length, *turned.geometry.width);
+  std::swap(turned.mesh.spans, *turned.mesh.across);
+  // k x/L + j y/W = k y'/L - j x'/W, and a wave is that of the opposite signs
+  turned.tool.wave_numbers = {1., 2.};
+  turned.tool.across       = {-2., 1.};
+  turned.tool.phases       = {-0.3, 1.};
+  turned.load.direction    = M_PI / 2.;
+  const PatchRun along_y(turned);
+  expect_balance(along_y);
+  ASSERT_EQ(along_x.rows().size(), along_y.rows().size());
+  for (std::size_t i = 1; i < along_x.rows().size(); ++i)
+    {
+      const FrictionRow &a = along_x.rows()[i], &b = along_y.rows()[i];
+      // per metre of the width, which is another one
+      const double w = *parameters.geometry.width, l = *turned.geometry.width;
+      const double load = along_x.load() * w;
+      EXPECT_NEAR(a.T_x * w, b.T_x * l, 1e-6 * load) << "step " << i;
+      EXPECT_NEAR(a.T_transverse * w, b.T_transverse * l, 1e-6 * load);
+      EXPECT_NEAR(a.interface_T_x * w, b.interface_T_x * l, 1e-6 * load);
+      EXPECT_NEAR(a.mu, b.mu, 1e-6);
+      EXPECT_NEAR(a.contact_fraction, b.contact_fraction, 1e-6);
+      EXPECT_NEAR(a.max_contact_pressure,
+                  b.max_contact_pressure,
+                  1e-6 * a.max_contact_pressure);
+    }
+  EXPECT_GT(along_x.run.friction().interface_shear, 0.05);
+  EXPECT_GT(std::abs(along_x.run.friction().transverse), 1e-3);
 }
 
 
@@ -213,8 +259,84 @@ TEST(Patch, says_which_entries_do_not_make_a_patch)
   expect_said(refusal(
                 section("Tool", "Wave numbers across = 1, 2, 0.5, 0, 0, 0")),
               "found 0.5; expected whole numbers");
-  // The default mesh is that of a profile.
-  expect_said(refusal(""), "elements; expected at most 30000");
+  expect_said(refusal(section("Geometry", "Dimension = 2") +
+                      section("Load", "Sliding direction = 90 deg")),
+              "Load/Sliding direction': found 90 deg in two dimensions");
+}
+
+
+
+// Panels of a factor and unknowns, as CHOLMOD's analysis of scenes of hills
+// counts them; tables and matrices come in addition.
+TEST(Patch, memory_is_that_of_two_counted_factors_and_the_tables)
+{
+  struct Count
+  {
+    unsigned int degree;
+    double       unknowns, numbers;
+  };
+  for (const Count &count : {Count{2, 1296., 1.051e6},
+                             Count{2, 5076., 6.829e6},
+                             Count{2, 9024., 16.82e6},
+                             Count{2, 20196., 46.48e6},
+                             Count{1, 4212., 2.037e6}})
+    {
+      const double tables =
+        count.degree == 2 ? 40e3 * count.unknowns : 8640. * count.unknowns;
+      EXPECT_NEAR(patch_memory(count.unknowns / 3., count.degree) - tables,
+                  16. * count.numbers,
+                  0.1 * 16. * count.numbers);
+    }
+}
+
+
+
+TEST(Patch, says_before_it_starts_that_the_memory_is_too_small)
+{
+  const std::string message = refusal(section("Mesh", "Spans = 2048"));
+  expect_said(message, "GB of memory; this machine can give ");
+  expect_said(message, "fewer Spans or Spans across");
+}
+
+
+
+TEST(Patch, says_that_an_asperity_is_too_steep)
+{
+  SceneParameters parameters = oblique_scene(1.);
+  const auto      warns      = [&](const double amplitude) {
+    parameters.tool.amplitudes = {amplitude, 0.};
+    const Scene<3> scene(parameters);
+    const auto     warnings = audit_scene(parameters, scene).warnings;
+    return std::any_of(warnings.begin(),
+                       warnings.end(),
+                       [](const std::string &warning) {
+                         return warning.find("deg steep") != std::string::npos;
+                       });
+  };
+  // tan 60 deg over the steepest slope of the wave (2, 1) of 10 x 5 um
+  const double limit =
+    std::sqrt(3.) / (2. * M_PI * std::hypot(0.2, 0.2)) * 1e-6;
+  EXPECT_FALSE(warns(0.99 * limit));
+  EXPECT_TRUE(warns(1.01 * limit));
+}
+
+
+
+TEST(Patch, says_that_the_contact_is_lost)
+{
+  SceneParameters parameters      = oblique_scene(1.);
+  parameters.protocol.slide_steps = 2;
+  PatchRun run(parameters);
+  EXPECT_NEAR(run.run.judgement().carried_load, 1., 1e-6);
+  RunState state        = run.run.state();
+  state.rows.back().T_y = 0.;
+  run.run.set_state(state);
+  const auto warnings = run.run.judgement().warnings;
+  EXPECT_TRUE(std::any_of(
+    warnings.begin(), warnings.end(), [](const std::string &warning) {
+      return warning.rfind("Contact is lost: nothing carries the chip in 1 ",
+                           0) == 0;
+    }));
 }
 
 
@@ -236,4 +358,44 @@ TEST(Patch, window_of_a_map_has_to_be_chosen_and_to_be_in_it)
   const std::string larger =
     refusal(map + "set Profile length = 5000 um\nend\nend\n");
   expect_said(larger, "5000 um");
+}
+
+
+
+// A hole of 4 x 4 of the 20 x 20 points of a window of 5 um.
+TEST(Patch, says_that_points_of_the_window_are_missing)
+{
+  const std::string path = test_folder() + "/hole.txt";
+  std::ofstream     file(path);
+  for (unsigned int j = 0; j < 20; ++j)
+    for (unsigned int i = 0; i < 20; ++i)
+      {
+        const bool hole = i / 4 == 2 && j / 4 == 2;
+        file << (hole ? "nan" :
+                        std::to_string(0.1 * std::cos(0.1 * M_PI * (i + j))))
+             << (i < 19 ? " " : "\n");
+      }
+  file.close();
+  SceneParameters parameters = oblique_scene(1.);
+  parameters.tool            = SurfaceParameters();
+  parameters.tool.kind       = SurfaceKind::measured;
+  TopographyParameters &map  = parameters.tool.topography;
+  map.file                   = path;
+  map.lateral_unit = map.height_unit = "um";
+  map.spacing_x                      = 0.25e-6;
+  map.form                           = FormChoice::none;
+  map.length                         = 5e-6;
+  parameters.geometry.width          = 5e-6;
+  map.largest_missing_fraction       = 0.05;
+  const Scene<3> scene(parameters);
+  const auto     warnings = audit_scene(parameters, scene).warnings;
+  EXPECT_TRUE(std::any_of(
+    warnings.begin(), warnings.end(), [](const std::string &warning) {
+      return warning.find("% of the window's points are missing in the map and "
+                          "were filled by straight lines") != std::string::npos;
+    }));
+  EXPECT_EQ(scene.tool_surface.window->n_filled, 16u);
+  map.largest_missing_fraction = 0.03;
+  expect_said(message_of<InputError>([&]() { Scene<3> refused(parameters); }),
+              "4 % of the window's points are missing");
 }

@@ -40,7 +40,7 @@ TEST(EdgeLoad, follower_tangent_is_the_derivative_of_its_force)
           const auto space = refined_space(degree);
           const auto geometry =
             PatchGeometry<2>::from_map(*space, bent_rectangle);
-          EdgeLoad load = EdgeLoad::follower_pressure(
+          EdgeLoad<2> load = EdgeLoad<2>::follower_pressure(
             *space, geometry, edge, uneven, kinematics);
           load.set_factor(0.7);
           const unsigned int n         = 2 * space->n_functions();
@@ -61,9 +61,11 @@ TEST(EdgeLoad, uniform_pressure_all_around_has_no_resultant)
   const Vector u        = random_vector(2 * space->n_functions(), 0.05);
   Vector       R(u.size());
   for (const Edge edge : four_edges)
-    EdgeLoad::follower_pressure(*space, geometry, edge, [](const Point<2> &) {
-      return 5.;
-    }).add(u, R, nullptr);
+    EdgeLoad<2>::follower_pressure(*space,
+                                   geometry,
+                                   edge,
+                                   [](const Point<2> &) { return 5.; })
+      .add(u, R, nullptr);
   EXPECT_LT(sum(R).norm(), 1e-12);
 }
 
@@ -77,10 +79,10 @@ TEST(EdgeLoad, pressure_force_is_that_of_the_chord_of_the_deformed_edge)
   Body       body(space, bent_rectangle, MaterialParameters().make_law());
   body.u = random_vector(2 * space->n_functions(), 0.1);
   Vector R(body.u.size());
-  EdgeLoad::follower_pressure(*space,
-                              geometry,
-                              Edge::top,
-                              [](const Point<2> &) { return 5.; })
+  EdgeLoad<2>::follower_pressure(*space,
+                                 geometry,
+                                 Edge::top,
+                                 [](const Point<2> &) { return 5.; })
     .add(body.u, R, nullptr);
   const auto end = [&](const double xi) {
     return geometry.position(*space, {xi, 1.}) + body.displacement({xi, 1.});
@@ -101,7 +103,7 @@ TEST(EdgeLoad, axial_pressure_on_a_ring_acts_on_its_deformed_area)
     PatchGeometry<2>::from_map(*space, [](const Point<2> &xi) {
       return Point<2>(1. + 2. * xi[0], xi[1]);
     });
-  EdgeLoad load = EdgeLoad::follower_pressure(
+  EdgeLoad<2> load = EdgeLoad<2>::follower_pressure(
     *space,
     geometry,
     Edge::top,
@@ -135,7 +137,7 @@ TEST(EdgeLoad, dead_traction_sums_to_its_integral_whatever_the_deformation)
   for (const auto kinematics :
        {Kinematics::plane_strain, Kinematics::axisymmetric})
     {
-      EdgeLoad load = EdgeLoad::dead_traction(
+      EdgeLoad<2> load = EdgeLoad<2>::dead_traction(
         *space, geometry, Edge::top, linear, kinematics);
       load.set_factor(2.);
       Vector R(u.size());

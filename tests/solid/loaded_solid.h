@@ -124,17 +124,18 @@ namespace loaded_solid
     }
 
     void
-    add_traction(const Edge edge, const EdgeLoad::Traction &traction)
+    add_traction(const Edge edge, const EdgeLoad<2>::Traction &traction)
     {
-      edge_loads.push_back(std::make_unique<EdgeLoad>(
-        EdgeLoad::dead_traction(*space, geometry, edge, traction, kinematics)));
+      edge_loads.push_back(
+        std::make_unique<EdgeLoad<2>>(EdgeLoad<2>::dead_traction(
+          *space, geometry, edge, traction, kinematics)));
     }
 
     void
-    add_pressure(const Edge edge, const EdgeLoad::Pressure &pressure)
+    add_pressure(const Edge edge, const EdgeLoad<2>::Pressure &pressure)
     {
       edge_loads.push_back(
-        std::make_unique<EdgeLoad>(EdgeLoad::follower_pressure(
+        std::make_unique<EdgeLoad<2>>(EdgeLoad<2>::follower_pressure(
           *space, geometry, edge, pressure, kinematics)));
     }
 
@@ -215,14 +216,14 @@ namespace loaded_solid
       return value;
     }
 
-    std::shared_ptr<SplineSpace<2>>        space;
-    PatchGeometry<2>                       geometry;
-    Kinematics                             kinematics;
-    SolidAssembler<2>                      solid;
-    std::vector<std::unique_ptr<EdgeLoad>> edge_loads;
-    Vector                                 u, load;
-    dealii::AffineConstraints<double>      constraints;
-    NewtonStatistics                       statistics;
+    std::shared_ptr<SplineSpace<2>>           space;
+    PatchGeometry<2>                          geometry;
+    Kinematics                                kinematics;
+    SolidAssembler<2>                         solid;
+    std::vector<std::unique_ptr<EdgeLoad<2>>> edge_loads;
+    Vector                                    u, load;
+    dealii::AffineConstraints<double>         constraints;
+    NewtonStatistics                          statistics;
 
   private:
     std::unique_ptr<Equilibrium> system;

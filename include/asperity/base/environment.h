@@ -21,6 +21,11 @@ namespace asperity
   void
   choose_blas_kernels();
 
+  /** Memory that this machine can still give [bytes], by /proc/meminfo; all of
+   *  it where there is no such file; 0 if that is unknown, too. */
+  double
+  available_memory();
+
   /** True if a starter of MPI programs (mpirun, srun) has started this
    *  process, which it tells by variables of the environment. */
   bool

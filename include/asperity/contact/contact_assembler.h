@@ -8,6 +8,7 @@
 #include <asperity/isogeometric/force_term.h>
 #include <asperity/isogeometric/spline_space.h>
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -25,6 +26,10 @@ namespace asperity
     unsigned int points_per_element = 0;
 
     InterfaceParameters interface; ///< its shear
+
+    /** Unit vector in the plane, along x and y, near which a body in three
+     *  dimensions slides: one of the two tangents follows it. */
+    std::array<double, 2> motion = {{1., 0.}};
   };
 
   /** State of the interface at the last evaluated displacement; per metre of

@@ -19,8 +19,8 @@ namespace asperity
   struct SlipPoint
   {
     /** s_k, orthonormal and normal to n: in two dimensions n turned by +90
-     *  degrees, in three the part of the x axis that is normal to n, and
-     *  n x s_0. */
+     *  degrees, in three the part of the direction of the motion that is
+     *  normal to n, and n x s_0. */
     std::array<dealii::Tensor<1, dim>, dim - 1> tangent;
 
     /** Way along s_k since the last accepted step, and its gradient by the
@@ -63,11 +63,15 @@ namespace asperity
   {
   public:
     /** @param penalty epsilon of the pressure [Pa/m]
+     *  @param motion unit vector along x and y that s_0 follows in three
+     *    dimensions; a traction is a mean over points, whose tangents turn
+     *    about it
      *  @param tractions, table must outlive this object */
-    ShearTraction(const TractionSpace<dim>  &tractions,
-                  const BasisTable<dim>     &table,
-                  const InterfaceParameters &parameters,
-                  const double               penalty);
+    ShearTraction(const TractionSpace<dim>    &tractions,
+                  const BasisTable<dim>       &table,
+                  const InterfaceParameters   &parameters,
+                  const double                 penalty,
+                  const std::array<double, 2> &motion = {{1., 0.}});
 
     /** Evaluates the shear.
      *  @param positions of the points, seen from the obstacle
@@ -165,6 +169,7 @@ namespace asperity
     InterfaceLaw              law;
     double                    penalty;    ///< epsilon_t [Pa/m]
     double                    transition; ///< delta [m]
+    dealii::Tensor<1, dim>    motion;
 
     std::vector<double> mean_k, mean_wet; ///< per traction
     std::vector<double> closed_until;     ///< gap that still touches [m]

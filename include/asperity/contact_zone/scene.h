@@ -28,7 +28,8 @@ namespace asperity
    * The bodies of a contact scene: an isogeometric chip block, periodic in
    * x (and in three dimensions in y), below a rigid periodic tool. Lengths in
    * metres; the last coordinate points from the chip's bottom, where it is 0,
-   * to the tool; the chip slides along x. A profile is extruded along the
+   * to the tool; the chip slides along x, or in the direction in the plane of
+   * x and y that the load says. A profile is extruded along the
    * direction across, and everything counts per metre of it.
    *
    * In three dimensions there is no oil and no conduction of heat.
@@ -64,8 +65,8 @@ namespace asperity
     double
     penalty() const;
 
-    /** Element edge of the contact edge along x, where it has all levels [m].
-     */
+    /** Way along the motion through an element of the contact edge, where it
+     *  has all levels [m]. */
     double
     contact_element_length() const;
 
@@ -94,8 +95,8 @@ namespace asperity
     const dealii::AffineConstraints<double> &
     constraints() const;
 
-    /** u = (x, y), in three dimensions (x, 0, z), everywhere; other unknowns
-     *  zero. */
+    /** A way along the motion and one upwards everywhere; other unknowns zero.
+     */
     dealii::Vector<double>
     translation(const double along, const double up) const;
 
@@ -117,6 +118,19 @@ namespace asperity
     double length;     ///< period L along x [m]
     double width = 1.; ///< period W along y [m]; 1 in two dimensions
 
+    /** Unit vector in which the chip slides, normal to the last axis. */
+    dealii::Tensor<1, dim> motion;
+
+    /** Unit vector across the motion, to its left, in the plane of x and y;
+     *  zero in two dimensions. */
+    dealii::Tensor<1, dim>
+    across() const;
+
+    /** Way along the motion through the period: L along x, W along y, between
+     *  them the shorter of L/|cos| and W/|sin| [m]. */
+    double
+    period_of_motion() const;
+
     SurfaceOf<dim>                         tool_surface, chip_surface;
     OilInGap                               oil;
     std::shared_ptr<SplineSpace<dim>>      space;
@@ -132,6 +146,11 @@ namespace asperity
     std::unique_ptr<Equilibrium> equilibrium;
 
   private:
+    /** Way along the motion through a rectangle of these edges along x and y
+     *  [m]. */
+    double
+    way_through(const double along_x, const double along_y) const;
+
     void
     build_surfaces(const SceneParameters &parameters);
 
@@ -203,6 +222,18 @@ namespace asperity
    *  row. */
   std::vector<double>
   graded_rows(const double height, const double top, const double grading);
+
+  /**
+   * Memory of a patch of so many elements of degree p [bytes], n = 3 unknowns
+   * each: numbers in a factor of its tangent, of which two are kept, by
+   * 20.4 (p n)^1.38, and tables, pattern and matrices. The first was fitted to
+   * the panels that CHOLMOD's analysis counts on meshes of 1,300 to 20,000
+   * unknowns (within 10 %; its power is near the 4/3 of nested dissection, A.
+   * George, SIAM J. Numer. Anal. 10 (1973) 345-363, in space), the others to
+   * what scenes of these meshes took.
+   */
+  double
+  patch_memory(const double n_elements, const unsigned int degree);
 
   /** Whether a cell whose upper edge is so deep [m] belongs to the strip of a
    *  level below the contact edge. */

@@ -165,6 +165,7 @@ namespace asperity
   {
     double pressure       = 300e6;
     double velocity       = 200. / 60.;
+    double direction      = 0.; ///< of the sliding, to x, of a patch [rad]
     double temperature    = 298.15;
     double plastic_strain = 0.;
 

@@ -3,7 +3,7 @@
 
 #include <asperity/contact_zone/scene_parameters.h>
 #include <asperity/splines/spline_sheet.h>
-#include <asperity/topography/make_profile.h>
+#include <asperity/topography/make_window.h>
 
 #include <optional>
 #include <string>
@@ -21,6 +21,9 @@ namespace asperity
 
     /** What was made of the file of a measured surface. */
     std::optional<TopographyReport> topography;
+
+    /** What making its window periodic changed. */
+    std::optional<WindowReport> window;
 
     double
     minimum() const;

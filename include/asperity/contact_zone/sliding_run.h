@@ -229,8 +229,8 @@ namespace asperity
     void
     record_heat(FrictionRow &row) const;
 
-    /** Components of a force along x and upwards, and across, per metre of the
-     *  width [N/m]. */
+    /** Components of a force along the motion, upwards, and to the left of the
+     *  motion, per metre of the width [N/m]. */
     struct LineLoad
     {
       double along, up, across;

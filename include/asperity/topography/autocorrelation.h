@@ -79,6 +79,17 @@ namespace asperity
     /** What Str is at most: grooves that cross the map have no known Str, but a
      *  small one. */
     double Str_bound = 1.;
+
+    /** Up to this texture aspect ratio a direction stands out. */
+    static constexpr double largest_ratio_of_lay = 0.3;
+
+    /** Whether the surface has a lay, as ground ones do: then a profile across
+     *  it stands for the surface, and its direction counts. */
+    bool
+    has_lay() const
+    {
+      return Str_bound <= largest_ratio_of_lay;
+    }
   };
 
   /** Of the heights from their mean: remove the form first. A map of one row

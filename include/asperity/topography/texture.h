@@ -5,7 +5,8 @@
 
 namespace asperity
 {
-  /** Which way the lay of a surface runs, by its slopes. */
+  /** Which way the lay of a surface runs, by its slopes, if it has one
+   *  (ArealTexture::has_lay()). */
   struct Texture
   {
     /** Of the direction of the largest root mean square slope, across the lay,
@@ -20,10 +21,6 @@ namespace asperity
      *  straight grooves and for a flat one. */
     double
     aspect_ratio() const;
-
-    /** Whether a direction stands out, aspect_ratio() being below 0.6. */
-    bool
-    has_lay() const;
   };
 
   /**
