@@ -1,103 +1,12 @@
-#include <asperity/constitutive/hyperelasticity.h>
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "ball.h"
-#include "contact_examples.h"
+#include "quarter_of_block.h"
 
 namespace
 {
-  using namespace asperity;
-  using dealii::Point;
-  using dealii::Tensor;
-  using Vector = dealii::Vector<double>;
-
-  /** A quarter of an elastic block under a ball that presses on its corner,
-   *  refined there. Lengths in units of the block's edge. */
-  struct QuarterOfBlock
-  {
-    QuarterOfBlock(const double radius, const double contact_radius)
-      : space(std::make_shared<SplineSpace<3>>(std::array<KnotVector, 3>{
-          {KnotVector(2, example::equal_steps(0., 1., 5)),
-           KnotVector(2, example::equal_steps(0., 1., 5)),
-           KnotVector(2, example::equal_steps(-1., 0., 5))}}))
-      , law(std::make_shared<NeoHooke>(elasticity()))
-      , u(0)
-    {
-      for (unsigned int level = 1; level <= 4; ++level)
-        {
-          const double reach =
-            std::max(1.3 * contact_radius, 0.8 * std::pow(0.5, level));
-          space->refine_to_level(level,
-                                 [&](const Point<3> &low,
-                                     const Point<3> &high) {
-                                   return std::hypot(low[0], low[1]) < reach &&
-                                          high[2] > -0.6 * reach;
-                                 });
-        }
-      ContactOptions options;
-      options.penalty = 3e9;
-      solid =
-        std::make_unique<SolidAssembler<3>>(space, PatchGeometry<3>(), law);
-      contact = std::make_unique<ContactAssembler<3>>(
-        space,
-        PatchGeometry<3>(),
-        Edge::top,
-        std::make_shared<example::Ball>(Point<3>(), radius),
-        options);
-      dealii::AffineConstraints<double>                constraints;
-      const std::vector<std::pair<Edge, unsigned int>> held = {
-        {Edge::left, 0}, {Edge::front, 1}, {Edge::bottom, 2}};
-      for (const auto &[face, component] : held)
-        for (const unsigned int a : space->edge_functions(face))
-          constraints.add_line(displacement_dof<3>(a, component));
-      constraints.close();
-      u.reinit(3 * space->n_functions());
-      equilibrium =
-        std::make_unique<Equilibrium>(u.size(),
-                                      std::vector<ForceTerm *>{solid.get(),
-                                                               contact.get()},
-                                      constraints,
-                                      DirectSolverKind::cholmod);
-    }
-
-    static ElasticParameters
-    elasticity()
-    {
-      ElasticParameters parameters;
-      parameters.young_modulus = 1e6;
-      parameters.poisson_ratio = 0.3;
-      return parameters;
-    }
-
-    /** @return the force of the whole block */
-    double
-    press(const double depth)
-    {
-      Tensor<1, 3> offset;
-      offset[2] = -depth;
-      contact->set_obstacle_offset(offset);
-      NewtonOptions options;
-      options.tolerance          = 1e-4;
-      options.maximum_iterations = 60;
-      NewtonStatistics        statistics;
-      const ConvergenceReport report =
-        newton(*equilibrium, u, options, statistics);
-      EXPECT_TRUE(report.converged) << report.reason;
-      return -4. * contact->state().force[2];
-    }
-
-    std::shared_ptr<SplineSpace<3>>      space;
-    std::shared_ptr<const MaterialLaw>   law;
-    std::unique_ptr<SolidAssembler<3>>   solid;
-    std::unique_ptr<ContactAssembler<3>> contact;
-    std::unique_ptr<Equilibrium>         equilibrium;
-    Vector                               u;
-  };
-
-
+  using example::QuarterOfBlock;
 
   // H. Hertz: a^3 = 3 F R/(4 E*), p0 = 3 F/(2 pi a^2), and
   // p^2 = p0^2 (1 - r^2/a^2), of which a line through p^2 over r^2 tells p0 and
@@ -106,7 +15,7 @@ namespace
   {
     const double   radius = 2., a_wanted = 0.1;
     QuarterOfBlock block(radius, a_wanted);
-    const double   E_star = 1e6 / (1. - 0.09);
+    const double   E_star = QuarterOfBlock::reduced_modulus();
     const double   force  = block.press(a_wanted * a_wanted / radius);
     const double   a      = std::cbrt(0.75 * force * radius / E_star);
     const double   p0     = 1.5 * force / (M_PI * a * a);
@@ -130,5 +39,33 @@ namespace
     EXPECT_NEAR(std::sqrt(level), p0, 0.01 * p0);
     EXPECT_NEAR(std::sqrt(-level / slope), a, 0.01 * a);
     EXPECT_NEAR(a, a_wanted, 0.1 * a_wanted);
+  }
+
+
+
+  // Yield begins below the surface, at p0 = 1.60 Y for nu = 0.3; K. L. Johnson,
+  // Contact Mechanics (1985), section 6.1.
+  TEST(SpatialHertz, block_begins_to_yield_at_the_pressure_of_johnson)
+  {
+    const double   radius = 2., a_wanted = 0.1;
+    const double   E_star = QuarterOfBlock::reduced_modulus();
+    const double   Y      = 2. * E_star * a_wanted / (M_PI * radius) / 1.6;
+    QuarterOfBlock block(radius, a_wanted, QuarterOfBlock::plastic(Y), 3);
+    // largest pressure over Y, of the half-space under the same force
+    const auto press = [&](const double factor) {
+      const double force =
+        block.press(factor * factor * a_wanted * a_wanted / radius);
+      block.accept();
+      const double a = std::cbrt(0.75 * force * radius / E_star);
+      return 1.5 * force / (M_PI * a * a) / Y;
+    };
+    const double before = press(0.94);
+    EXPECT_EQ(block.largest_plastic_strain(), 0.) << before;
+    const double after = press(1.05);
+    EXPECT_GT(block.largest_plastic_strain(), 0.) << after;
+    EXPECT_GT(before, 1.60 * 0.92);
+    EXPECT_LT(before, 1.60);
+    EXPECT_GT(after, 1.60);
+    EXPECT_LT(after, 1.60 * 1.08);
   }
 } // namespace
