@@ -46,8 +46,8 @@ namespace asperity
   double
   patch_memory(const double n_elements, const unsigned int degree)
   {
-    const double n           = 3. * n_elements;
-    const double factor      = 20.4 * std::pow(degree * n, 1.38);
+    const double n      = 3. * n_elements;
+    const double factor = 20.4 * std::pow(degree * n, 1.38);
     // Of a degree of 2 tables take 18 to 22 kB, and the matrices as much.
     const double bandwidth   = std::pow((2. * degree + 1.) / 5., 3);
     const double per_unknown = 40e3 * bandwidth;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 #include <string>
 #include <tuple>
@@ -24,14 +23,6 @@ namespace asperity
 
     /** Part of the window that may be filled without a word. */
     constexpr double filled_silently = 0.01;
-
-    std::string
-    slope(const double value)
-    {
-      char text[32];
-      std::snprintf(text, sizeof(text), "%.4g", value);
-      return text;
-    }
 
     std::string
     size_of(const double x, const double y)
@@ -353,9 +344,10 @@ namespace asperity
         ", of y rms " + micrometres(w.rms_jump[1]) + ", largest " +
         micrometres(w.largest_jump[1]) + bridge(1) + "; Sq " +
         micrometres(w.Sq_before) + " -> " + micrometres(w.Sq_after) + " (" +
-        percent(Sq_change) + "), Sdq " + slope(w.Sdq_before) + " -> " +
-        slope(w.Sdq_after) + ", change of a sample rms " +
-        micrometres(w.fit_rms) + ", largest " + micrometres(w.fit_max) + ".");
+        percent(Sq_change) + "), Sdq " + format_quantity(w.Sdq_before, "1", 4) +
+        " -> " + format_quantity(w.Sdq_after, "1", 4) +
+        ", change of a sample rms " + micrometres(w.fit_rms) + ", largest " +
+        micrometres(w.fit_max) + ".");
       const double filled = double(w.n_filled) / w.window.nx / w.window.ny;
       if (filled > filled_silently)
         report.warnings.push_back(

@@ -92,8 +92,7 @@ namespace
       for (unsigned int i = 0; i < u.size(); ++i)
         target(i) = c[i % 3][i / 3];
       dealii::AffineConstraints<double> constraints;
-      for (const Edge face :
-           {Edge::left, Edge::right, Edge::front, Edge::back})
+      for (const Edge face : {Edge::left, Edge::right, Edge::front, Edge::back})
         for (const unsigned int a : space->edge_functions(face))
           for (unsigned int i = 0; i < 3; ++i)
             constraints.add_line(displacement_dof<3>(a, i));
@@ -122,11 +121,10 @@ namespace
     std::array<double, 2>
     errors() const
     {
-      const auto table =
-        tabulate_cells(*space,
-                       geometry,
-                       dealii::QGauss<3>(space->degree() + 2));
-      double error = 0., slope = 0., all = 0., slopes = 0.;
+      const auto table = tabulate_cells(*space,
+                                        geometry,
+                                        dealii::QGauss<3>(space->degree() + 2));
+      double     error = 0., slope = 0., all = 0., slopes = 0.;
       for (const auto &entry : table.elements)
         {
           const ElementView<3> element(table, entry);
@@ -139,8 +137,7 @@ namespace
               for (unsigned int a = 0; a < element.n_functions(); ++a)
                 for (unsigned int i = 0; i < 3; ++i)
                   H[i] += u(element.dof(a, i)) * element.gradient(q, a);
-              error +=
-                element.JxW(q) * (v - displacement(X)).norm_square();
+              error += element.JxW(q) * (v - displacement(X)).norm_square();
               slope += element.JxW(q) * (H - gradient(X)).norm_square();
               all += element.JxW(q) * displacement(X).norm_square();
               slopes += element.JxW(q) * gradient(X).norm_square();
@@ -182,13 +179,10 @@ TEST(SpatialLoad, follower_tangent_is_the_derivative_of_its_force)
   const auto n        = 3 * space->n_functions();
   for (const Edge face : all_edges<3>())
     {
-      auto load =
-        EdgeLoad<3>::follower_pressure(*space,
-                                       geometry,
-                                       face,
-                                       [](const Point<3> &X) {
-                                         return 2. + X[0] - X[1] * X[2];
-                                       });
+      auto load = EdgeLoad<3>::follower_pressure(
+        *space, geometry, face, [](const Point<3> &X) {
+          return 2. + X[0] - X[1] * X[2];
+        });
       dealii::DynamicSparsityPattern couplings(n);
       load.add_couplings(couplings);
       dealii::SparsityPattern pattern;
