@@ -10,9 +10,10 @@ namespace asperity
   {
     // Beyond these numbers the closest point is of no use, or cannot be told
     // from others (centre of a sphere).
-    constexpr double       max_pieces = 2e6;
-    constexpr unsigned int max_parts  = 20000;
-    constexpr unsigned int max_depth  = 80;
+    constexpr double       max_pieces  = 2e6;
+    constexpr double       max_periods = 1e3;
+    constexpr unsigned int max_parts   = 20000;
+    constexpr unsigned int max_depth   = 80;
 
     // To look up bounds of more pieces costs more than it brings.
     constexpr long max_pieces_of_bounds = 16;
@@ -69,7 +70,9 @@ namespace asperity
   SheetCertificate::prove()
   {
     const double r = best_foot.rz;
-    if (!std::isfinite(best_squared_distance))
+    const double farthest =
+      max_periods * std::max(pieces.period(0), pieces.period(1));
+    if (!(best_squared_distance < farthest * farthest))
       return false;
     if (best_foot.converged)
       {

@@ -28,6 +28,7 @@ namespace asperity
   {
     SceneParameters parameters     = coarse_scene();
     parameters.mesh.spans          = 16;
+    parameters.tool.spans          = 96;
     parameters.protocol.ramp_steps = 2, parameters.protocol.slide_steps = 3;
     parameters.solver.tolerance   = 1e-9;
     parameters.geometry.dimension = 3;

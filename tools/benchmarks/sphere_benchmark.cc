@@ -85,7 +85,7 @@ namespace
                         "mean pressure over Y",
                         "plastic strain");
     markdown_table::row("---", "---", "---", "---", "---", "---", "---", "---");
-    for (double w = 0.8; w < 1.001 * largest; w *= w < 3. ? 1.25 : 1.2)
+    for (double w = 2.; w < 1.001 * largest; w *= 1.3)
       {
         const double force = block.press(w * yield.approach);
         block.accept();
