@@ -30,7 +30,7 @@ namespace asperity
         , pressure_scale(film.typical_pressure(geometry, step))
         , balance_scale(largest_flow())
         , states(film.n_cells())
-        , solver(make_direct_solver(DirectSolverKind::umfpack))
+        , solver(make_direct_solver(DirectSolverKind::klu))
       {
         dealii::DynamicSparsityPattern couplings(2 * film.n_cells());
         for (unsigned int i = 0; i < film.n_cells(); ++i)
