@@ -189,8 +189,8 @@ TEST(ErrorEstimate, finds_the_source_that_dominates)
   EXPECT_EQ(estimated(few_steps).largest(), "step");
 
   SceneParameters soft        = few_steps;
-  soft.protocol.ramp_steps    = 10;
-  soft.protocol.slide_steps   = 20;
+  soft.protocol.ramp_steps    = 6;
+  soft.protocol.slide_steps   = 12;
   soft.contact.penalty_factor = 0.1;
   RunFamily           family(soft);
   const double        mu       = family.run({}).mu;
