@@ -30,6 +30,7 @@ namespace
     SceneParameters parameters   = narrow_scene();
     parameters.geometry.width    = 0.5 * parameters.geometry.length;
     parameters.mesh.spans        = 12;
+    parameters.tool.spans        = std::nullopt; // as fine along x and y
     parameters.mesh.across       = 8;
     parameters.tool.wave_numbers = {2., 1.};
     parameters.tool.across       = {sense, -2. * sense};
