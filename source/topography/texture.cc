@@ -5,14 +5,6 @@
 
 namespace asperity
 {
-  double
-  Texture::aspect_ratio() const
-  {
-    return largest_slope > 0. ? smallest_slope / largest_slope : 0.;
-  }
-
-
-
   Texture
   measure_texture(const HeightMap &map)
   {

@@ -1,3 +1,4 @@
+#include <asperity/topography/autocorrelation.h>
 #include <asperity/topography/gaussian_filter.h>
 #include <asperity/topography/texture.h>
 #include <asperity/topography/typical_profile.h>
@@ -36,6 +37,13 @@ namespace
       return noise(generator);
     });
   }
+
+  double
+  ratio_of_slopes(const HeightMap &map)
+  {
+    const Texture texture = measure_texture(map);
+    return texture.smallest_slope / texture.largest_slope;
+  }
 } // namespace
 
 TEST(Texture, of_a_wave_points_along_its_wave_vector)
@@ -49,7 +57,7 @@ TEST(Texture, of_a_wave_points_along_its_wave_vector)
       EXPECT_NEAR(texture.largest_slope,
                   amplitude * k / std::sqrt(2.),
                   0.03 * amplitude * k);
-      EXPECT_LT(texture.aspect_ratio(), 0.05);
+      EXPECT_LT(texture.smallest_slope / texture.largest_slope, 0.05);
     }
 }
 
@@ -58,7 +66,16 @@ TEST(Texture, of_equal_waves_in_x_and_y_is_isotropic)
   const HeightMap map = make_map(200, 200, dx, dx, [](double x, double y) {
     return amplitude * (std::cos(k * x) + std::cos(k * y));
   });
-  EXPECT_NEAR(measure_texture(map).aspect_ratio(), 1., 0.02);
+  EXPECT_NEAR(ratio_of_slopes(map), 1., 0.02);
+}
+
+// Along the ridges nothing decays; white noise decays within a pixel.
+TEST(Texture, has_a_lay_where_it_decays_much_slower_one_way)
+{
+  EXPECT_TRUE(areal_texture(wave_at(M_PI / 6.)).has_lay());
+  HeightMap noise = white_noise(1e-7);
+  apply_s_filter(noise, 10. * dx);
+  EXPECT_FALSE(areal_texture(noise).has_lay());
 }
 
 TEST(Texture, of_a_single_profile_is_along_it)
@@ -67,7 +84,7 @@ TEST(Texture, of_a_single_profile_is_along_it)
     return amplitude * std::cos(k * x);
   });
   EXPECT_EQ(measure_texture(map).direction, 0.);
-  EXPECT_EQ(measure_texture(map).aspect_ratio(), 0.);
+  EXPECT_EQ(ratio_of_slopes(map), 0.);
 }
 
 TEST(PixelNoise, is_the_deviation_of_white_noise_and_knows_no_waves)

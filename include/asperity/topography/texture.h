@@ -16,11 +16,6 @@ namespace asperity
     /** Root mean square slope along that direction, and across it. */
     double largest_slope  = 0.;
     double smallest_slope = 0.;
-
-    /** Smallest over largest slope: 1 for an isotropic surface, 0 for one of
-     *  straight grooves and for a flat one. */
-    double
-    aspect_ratio() const;
   };
 
   /**
