@@ -54,6 +54,17 @@ namespace loaded_solid
                                             KnotVector(degree, y));
   }
 
+  /** A box with bent faces and oblique edges. */
+  inline PatchGeometry<3>
+  bent(const SplineSpace<3> &space)
+  {
+    return PatchGeometry<3>::from_map(space, [](const Point<3> &xi) {
+      return Point<3>(1.3 * xi[0] + 0.2 * std::sin(2. * xi[1]),
+                      xi[1] + 0.2 * xi[0] * xi[2],
+                      0.8 * xi[2] + 0.1 * xi[0] * xi[1]);
+    });
+  }
+
   constexpr Edge four_edges[] = {Edge::left,
                                  Edge::right,
                                  Edge::bottom,

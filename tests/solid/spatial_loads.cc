@@ -20,16 +20,6 @@ namespace
       std::array<KnotVector, 3>{{knots, knots, knots}});
   }
 
-  PatchGeometry<3>
-  bent(const SplineSpace<3> &space)
-  {
-    return PatchGeometry<3>::from_map(space, [](const Point<3> &xi) {
-      return Point<3>(1.3 * xi[0] + 0.2 * std::sin(2. * xi[1]),
-                      xi[1] + 0.2 * xi[0] * xi[2],
-                      0.8 * xi[2] + 0.1 * xi[0] * xi[1]);
-    });
-  }
-
   /**
    * A part of a thick elastic sphere under a small pressure p inside, between
    * the planes x = 0, y = 0, x = z and y = z, on which the solution of Lame is

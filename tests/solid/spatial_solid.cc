@@ -25,16 +25,6 @@ namespace
     return space;
   }
 
-  PatchGeometry<3>
-  bent(const SplineSpace<3> &space)
-  {
-    return PatchGeometry<3>::from_map(space, [](const Point<3> &xi) {
-      return Point<3>(1.3 * xi[0] + 0.2 * std::sin(2. * xi[1]),
-                      xi[1] + 0.2 * xi[0] * xi[2],
-                      0.8 * xi[2] + 0.1 * xi[0] * xi[1]);
-    });
-  }
-
   /** Coefficients of a field of the identity map's parameters. */
   Vector
   coefficients(const SplineSpace<3>                                &space,
