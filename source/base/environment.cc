@@ -3,10 +3,12 @@
 #include <dlfcn.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <initializer_list>
+#include <limits>
 #include <string>
 
 namespace asperity
@@ -50,20 +52,37 @@ namespace asperity
 
 
 
+  namespace
+  {
+    /** What a container may still take [bytes]; infinite without a limit. */
+    double
+    memory_of_container()
+    {
+      double limit = 0., current = 0.;
+      if (std::ifstream("/sys/fs/cgroup/memory.max") >> limit &&
+          std::ifstream("/sys/fs/cgroup/memory.current") >> current)
+        return std::max(0., limit - current);
+      return std::numeric_limits<double>::infinity(); // "max", or no file
+    }
+  } // namespace
+
+
+
   double
   available_memory()
   {
+    const double  limit = memory_of_container();
     std::ifstream file("/proc/meminfo"); // name: number kB
     std::string   name, unit;
     double        number = 0.;
     while (file >> name >> number)
       {
         if (name == "MemAvailable:")
-          return 1024. * number;
+          return std::min(limit, 1024. * number);
         std::getline(file, unit);
       }
     const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
-    return pages > 0 && size > 0 ? double(pages) * size : 0.;
+    return pages > 0 && size > 0 ? std::min(limit, double(pages) * size) : 0.;
   }
 
 

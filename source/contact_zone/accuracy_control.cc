@@ -136,7 +136,8 @@ namespace asperity
            per_cent(round.error.total()) + " (mesh " +
            per_cent(std::abs(round.error.mesh)) + ", steps " +
            per_cent(std::abs(round.error.step)) + ", penalty " +
-           per_cent(std::abs(round.error.penalty)) + "), " +
+           per_cent(std::abs(round.error.penalty)) + ", chance " +
+           per_cent(round.error.chance) + "), " +
            std::to_string(round.run.unknowns) + " unknowns, " +
            std::to_string(round.run.newton_iterations) + " Newton iterations";
   }
@@ -150,7 +151,8 @@ namespace asperity
       return nlohmann::ordered_json({{"error", error.total()},
                                      {"mesh", std::abs(error.mesh)},
                                      {"step", std::abs(error.step)},
-                                     {"penalty", std::abs(error.penalty)}});
+                                     {"penalty", std::abs(error.penalty)},
+                                     {"chance", error.chance}});
     };
     nlohmann::ordered_json summary =
       report.error ? of(*report.error) : nlohmann::ordered_json();

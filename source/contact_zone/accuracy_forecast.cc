@@ -26,7 +26,7 @@ namespace asperity
     constexpr double error_of_penalty = 0.38;
 
     /** Points of a period at which surfaces are cut off. */
-    constexpr unsigned int n_points = 4000;
+    constexpr unsigned int n_points = 4000, fewest_points = 20;
 
     /** Factor by which the unknowns grow with twice as many spans. */
     constexpr double growth_of_unknowns = 3.2;
@@ -81,8 +81,9 @@ namespace asperity
         }
       std::vector<double> sorted = gap;
       std::sort(sorted.begin(), sorted.end());
-      const unsigned int n_cut =
-        std::clamp(share, 1. / n_points, 1.) * n_points;
+      const auto n_cut = std::clamp<unsigned int>(std::lround(share * n_points),
+                                                  fewest_points,
+                                                  n_points);
       const double level = sorted[n_cut - 1];
       double       depth = 0.;
       unsigned int n     = 0;
@@ -182,7 +183,9 @@ namespace asperity
     numbers.elements_in_spot = spots.length / scene.contact_element_length();
     numbers.way_over_spot    = way / spots.length;
     numbers.elements_passed  = way / scene.contact_element_length();
-    numbers.softness         = hardness * k / (scene.penalty() * spots.depth);
+    // Round-off of a flat surface is no depth.
+    numbers.softness = hardness * k / scene.penalty() /
+                       (spots.depth > 1e-9 * scene.length ? spots.depth : 0.);
     return numbers;
   }
 
@@ -224,7 +227,7 @@ namespace asperity
     const ForecastNumbers numbers = forecast_numbers(parameters, scene);
     const LubricantModel  oil     = parameters.lubrication.model;
     if (!std::isfinite(numbers.elements) || numbers.elements == 0. ||
-        numbers.contact == 0.)
+        numbers.contact == 0. || !std::isfinite(numbers.softness))
       return {};
     std::vector<std::string> sentences = {
       models_for(parameters, scene),

@@ -107,10 +107,8 @@ namespace asperity
     std::tie(tool_surface, chip_surface) = make_sheets(parameters);
     length                               = tool_surface.sheet.period(0);
     width                                = tool_surface.sheet.period(1);
-    // As of a profile; x and y stay those of the map, so that forces across
-    // count along its y.
     if (parameters.tool.kind == SurfaceKind::measured)
-      tool_surface = tool_surface.mapped(-1., 0.);
+      tool_surface = tool_surface.mapped(-1., 0.); // x, y stay the map's
     chip_surface = chip_surface.mapped(1., parameters.geometry.height);
     tool_surface =
       tool_surface.mapped(1.,

@@ -286,6 +286,11 @@ namespace asperity
                        "begins with coarser runs; expected false, or a restart "
                        "by the parameters.prm of the output directory, which "
                        "has the settings of the last round.");
+    if (accuracy.is_adaptive() && mesh.offset != 0.)
+      throw InputError(parameters.where("Mesh/Offset") + ": found " +
+                       format_quantity(mesh.offset, "1") +
+                       " with Accuracy/Control = adaptive, which changes the "
+                       "elements that it counts in; expected 0.");
     material.check(parameters);
     check_interface(*this, parameters);
     check_adaptive_levels(*this, parameters);

@@ -65,7 +65,7 @@ namespace asperity
                                  3)
               << "\n";
     if constexpr (dim == 3)
-      if (scene.motion[1] != 0.)
+      if (scene.motion[0] != 1.)
         std::cout << "Slides at "
                   << format_quantity(
                        std::atan2(scene.motion[1], scene.motion[0]), "deg", 4)

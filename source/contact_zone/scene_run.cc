@@ -7,6 +7,7 @@
 #include <asperity/contact_zone/scene_run.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace asperity
 {
@@ -213,11 +214,17 @@ namespace asperity
   FamilyMember
   SceneRun<dim>::member() const
   {
+    // Also the way back, where the chip slides back.
+    double way = 0., last = 0.;
+    for (const FrictionRow &row : run_.state().rows)
+      {
+        way += std::abs(row.sliding_distance - last);
+        last = row.sliding_distance;
+      }
     return {run_.friction().mu,
             run_.mean_unknowns(),
             run_.newton_statistics().iterations,
-            run_.state().rows.back().sliding_distance /
-              audited_.scene->contact_element_length()};
+            way / audited_.scene->contact_element_length()};
   }
 
 

@@ -66,7 +66,7 @@ namespace asperity
       Range::between(8, 20000),
       "Spans of the periodic spline over a period. "
       "`automatic`: 40 for each period of the shortest "
-      "harmonic, one for each 2 points of a measured profile. Across the motion "
+      "harmonic, one for each 2 points of a measured profile. Along y "
       "a patch always has 40 for each wave.");
     parameters.choice("Spline fit",
                       fit,

@@ -22,7 +22,8 @@ namespace asperity
        "/end/sliding_distance"},
       {"T_x",
        line_load,
-       "Force on the chip along its motion, of contact and oil.",
+       "Force on the chip along x (of a patch along Load/Sliding direction), of "
+       "contact and oil.",
        &Row::T_x,
        ""},
       {"T_y",
@@ -218,8 +219,8 @@ namespace asperity
        ""},
       {"T_transverse",
        line_load,
-       "Force on the chip across its motion in three dimensions, to its left (y "
-       "if it slides along x), per metre of the width W as T_x and T_y.",
+       "Force on the chip across Load/Sliding direction in three dimensions, to "
+       "its left (y where that is x), per metre of the width W as T_x and T_y.",
        &Row::T_transverse,
        ""},
       {"wall time", wall, "Of the step.", &Row::wall_time, ""}};

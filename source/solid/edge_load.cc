@@ -26,6 +26,8 @@ namespace asperity
                                                     space.degree() + 1),
                           true))
   {
+    Assert(dim == 2 || kinematics != Kinematics::axisymmetric,
+           dealii::ExcMessage("Only plane bodies turn around an axis."));
     Stretch tangents;
     std::copy_n(table.tangent.begin(), dim - 1, tangents.begin());
     outward = area_vector(tangents) * table.normal[0] > 0. ? 1. : -1.;

@@ -296,9 +296,7 @@ namespace asperity
       reader.in_context([&]() { return SampleTable(inputs, outputs); });
     const auto headings = SampleFormat::headings(table);
     if (line != join(headings, ","))
-      // qualified, since std::quoted() would be found for a variable
-      reader.fail(asperity::quoted_text(line) +
-                  " was found, but the headings " +
+      reader.fail(quoted_text(line) + " was found, but the headings " +
                   quoted_name(join(headings, ",")) + " are expected");
     while (reader.next_line(line))
       {

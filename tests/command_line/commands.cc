@@ -242,6 +242,13 @@ TEST_F(Commands, a_run_chooses_its_settings_where_that_is_wanted)
   EXPECT_EQ(result.status, 2);
   EXPECT_NE(result.errors.find("found true with Accuracy/Control = adaptive"),
             std::string::npos);
+  write("scene.prm", scene("") + "subsection Mesh\n set Offset = 0.5\nend\n");
+  EXPECT_NE(
+    run("scene.prm")
+      .errors.find(
+        "'Mesh/Offset': found 0.5 with Accuracy/Control = adaptive, which "
+        "changes the elements that it counts in; expected 0."),
+    std::string::npos);
 }
 
 

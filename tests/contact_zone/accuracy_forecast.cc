@@ -109,6 +109,26 @@ TEST(AccuracyForecast, measures_the_spots_of_a_wave)
               0.01 * found.softness);
 }
 
+// A load that hardly anything carries, and tools without any depth.
+TEST(AccuracyForecast, is_finite_or_silent_where_next_to_nothing_touches)
+{
+  SceneParameters parameters   = coarse_scene();
+  parameters.mesh.spans        = 80;
+  parameters.mesh.refinement   = 2;
+  parameters.load.pressure     = 1e4;
+  parameters.tool.wave_numbers = {2};
+  parameters.tool.amplitudes   = {0.2e-6};
+  parameters.tool.phases       = {0.};
+  const Scene<2>        wavy(parameters);
+  const ForecastNumbers found = forecast_numbers(parameters, wavy);
+  EXPECT_TRUE(std::isfinite(found.softness));
+  EXPECT_LT(forecast(found, LubricantModel::none).total(), 100.);
+  for (const std::string &sentence : advise(parameters, wavy))
+    EXPECT_EQ(sentence.find("inf"), std::string::npos) << sentence;
+  parameters.tool.amplitudes = {1e-20};
+  EXPECT_TRUE(advise(parameters, Scene<2>(parameters)).empty());
+}
+
 TEST(AccuracyForecast, advises_settings_for_the_wanted_error)
 {
   SceneParameters parameters = coarse_scene();

@@ -355,9 +355,8 @@ TEST(Patch, window_of_a_map_has_to_be_chosen_and_to_be_in_it)
       "set Profile length = 5 um\nset Profile direction = 30 deg\nend\nend"
       "\n"),
     "Profile direction': found 30 deg in three dimensions; expected 0");
-  const std::string larger =
-    refusal(map + "set Profile length = 5000 um\nend\nend\n");
-  expect_said(larger, "5000 um");
+  expect_said(refusal(map + "set Profile length = 5000 um\nend\nend\n"),
+              "5000 um");
 }
 
 

@@ -28,8 +28,8 @@ namespace asperity
   quoted_text(const std::string &text);
 
   /** How a message shows the name of a file, an entry or an input: as
-   * quoted_text(), but whole, since paths differ at their ends. More than 4096
-   * bytes are no name and are shortened. */
+   *  quoted_text(), but whole, since paths differ at their ends. More than 4096
+   *  bytes are no name and are shortened. */
   std::string
   quoted_name(const std::string &name);
 

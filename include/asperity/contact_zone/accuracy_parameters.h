@@ -9,7 +9,7 @@ namespace asperity
   enum class AccuracyControl
   {
     off,      ///< nothing
-    estimate, ///< tells it, by coarser companions; see error_estimate.h
+    estimate, ///< tells it, by companions; see error_estimate.h
     adaptive  ///< chooses mesh, steps and penalty by it; see accuracy_control.h
   };
 

@@ -19,7 +19,7 @@ namespace asperity
     std::vector<std::string>     warnings; ///< of its accuracy
   };
 
-  /** Lets coarser companions tell the error of a run that has ended. */
+  /** Lets companions tell the error of a run that has ended. */
   void
   estimate_accuracy(AccurateRun &run, ProgressLine &progress);
 

@@ -39,8 +39,8 @@ namespace asperity
     double T_x = 0., T_y = 0.;                 ///< means [N/m]
     double contact_fraction = 0.;              ///< mean
 
-    /** Mean force across the motion over the load; positive along y (of a
-     *  measured tool that of its map). */
+    /** Mean force across Load/Sliding direction over the load; positive to its
+     *  left. */
     double transverse = 0.;
 
     /** Means of the oil's part: vertical pressure [Pa], lateral forces by

@@ -42,8 +42,8 @@ namespace asperity
     unsigned int unknowns          = 0;
     unsigned int newton_iterations = 0;
 
-    /** Elements of the contact edge over which the chip slides; 0 where nobody
-     *  has said it. */
+    /** Elements of the contact edge over which the chip slides, on its way
+     * back, too; 0 where nobody has said it. */
     double elements_passed = 0.;
 
     /** To which the time of a run is nearly proportional. */

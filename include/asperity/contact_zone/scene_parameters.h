@@ -37,7 +37,7 @@ namespace asperity
   {
     SurfaceKind         kind = SurfaceKind::flat;
     std::vector<double> wave_numbers;
-    std::vector<double> across;     ///< waves across the motion, or none
+    std::vector<double> across;     ///< waves along y, or none
     std::vector<double> amplitudes; ///< [m]
     std::vector<double> phases;     ///< [rad]
 
@@ -65,7 +65,7 @@ namespace asperity
     check_fit(const ParameterDeclarator &parameters,
               const std::string         &section) const;
 
-    /** Spans of the sheet of harmonics across the motion, for each wave across;
+    /** Spans of the sheet of harmonics along y, for each wave along it;
      *  a sheet without has as many. */
     static constexpr unsigned int spans_across = 40;
 
@@ -82,8 +82,8 @@ namespace asperity
   {
     unsigned int dimension = 2; ///< 3: a patch of the surfaces, not a profile
 
-    /** Period across, in three dimensions; automatic: as
-     *  long as along x [m]. */
+    /** Period along y, in three dimensions; automatic: as long as along x [m].
+     */
     std::optional<double> width;
 
     double length      = 10e-6;   ///< period L; measured tools bring their own
@@ -130,8 +130,8 @@ namespace asperity
     unsigned int
     n_quadrature_points() const;
 
-    /** Elements of the contact edge across the motion, a multiple of 2 to the
-     *  power of the levels: if not chosen, as long as along it or shorter. */
+    /** Elements of the contact face along y, a multiple of 2 to the power of
+     *  the levels: if not chosen, as long as along x or shorter. */
     unsigned int
     n_spans_across(const double length, const double width) const;
 
