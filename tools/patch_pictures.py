@@ -82,6 +82,14 @@ def draw_in_space(axes, face, limit):
     return stretch
 
 
+def draw_motion(axes, angle):
+    """An arrow in a corner, the way the chip slides. angle: to x [rad]"""
+    along, up = 0.06 * np.cos(angle), 0.06 * np.sin(angle)
+    axes.annotate("", xy=(0.1 + along, 0.9 + up), xytext=(0.1 - along, 0.9 - up),
+                  xycoords="axes fraction",
+                  arrowprops={"arrowstyle": "-|>", "color": "black", "lw": 2.})
+
+
 def plot_patch(directory, step, target):
     """The chip's face in space, and maps of its height and pressure."""
     face = Face(directory, step)
@@ -96,11 +104,14 @@ def plot_patch(directory, step, target):
     stretch = draw_in_space(space, face, limit)
     draw_map(figure, figure.add_subplot(grid[1, 0]), face, face.pressure,
              "contact pressure [MPa]", "magma_r", limit)
-    draw_map(figure, figure.add_subplot(grid[1, 1]), face, face.height,
-             "height of the chip [µm]", "viridis")
-    figure.suptitle(heading(directory, read_summary(directory)) +
+    heights = figure.add_subplot(grid[1, 1])
+    draw_map(figure, heights, face, face.height, "height of the chip [µm]",
+             "viridis")
+    summary = read_summary(directory)
+    draw_motion(heights, summary["load"].get("sliding_direction", 0.))
+    figure.suptitle(heading(directory, summary) +
                     f", t = {face.time * 1e6:.4g} µs\nFace of the chip, heights "
                     f"{stretch:.0f} times, coloured where the tool presses; it "
-                    "slides to the right", fontsize=11)
+                    "slides along the arrow", fontsize=11)
     figure.savefig(target, dpi=110)
     plt.close(figure)

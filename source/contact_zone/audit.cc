@@ -85,7 +85,15 @@ namespace asperity
                                momentum / parameters.load.pressure,
                                "share of the load that the chip's momentum can "
                                "carry; far below 1 it does not count"});
+    }
 
+    /** How far heat and the chip get. */
+    template <int dim>
+    void
+    audit_ways(const SceneParameters &parameters,
+               const Scene<dim>      &scene,
+               SceneAudit            &audit)
+    {
       const double end_time =
         LoadProtocol(parameters.load, parameters.protocol).end_time();
       // The depth 2 sqrt(a t) at which a suddenly heated half-space has warmed
@@ -102,12 +110,13 @@ namespace asperity
            (dim == 3 ? "" :
                        ", and Heat/Model = conducting tells what it errs, for "
                        "10 to 25 % more time")});
-      audit.entries.push_back({"sliding distance over the period",
-                               v * end_time / scene.period_of_motion(),
-                               "below about 0.05 the contact is still running "
-                               "in, and mu depends on the distance: the "
-                               "blasted tool of the examples has 0.044 after "
-                               "1 of its 40 um, 0.10 in steady sliding"});
+      audit.entries.push_back(
+        {"sliding distance over the period",
+         parameters.load.velocity * end_time / scene.period_of_motion(),
+         "below about 0.05 the contact is still running "
+         "in, and mu depends on the distance: the "
+         "blasted tool of the examples has 0.044 after "
+         "1 of its 40 um, 0.10 in steady sliding"});
     }
 
     /** Whether the chip's block is high enough not to matter. */
@@ -154,7 +163,7 @@ namespace asperity
       audit.entries.push_back({"largest slope of the tool",
                                slope,
                                "a bound for mu without adhesion"});
-      if (slope > 1.5)
+      if (slope > 1.5 && dim == 2) // of patches see audit_flanks()
         audit.warnings.push_back(
           "The tool is steeper than 1.5 somewhere; filter it or scale it.");
       const double penetration = parameters.load.pressure / scene.penalty();
@@ -303,6 +312,7 @@ namespace asperity
     {
       SceneAudit audit;
       audit_time_scales(parameters, scene, audit);
+      audit_ways(parameters, scene, audit);
       audit_resolution(parameters, scene, audit);
       audit_numerics(parameters, scene, audit);
       audit_distance(parameters, scene, audit);
@@ -315,22 +325,21 @@ namespace asperity
 
   namespace
   {
-    /** Where elements that are pressed into flanks begin to fold. */
-    constexpr double steepest_flank = 60. * M_PI / 180.;
-
     void
     audit_flanks(const Scene<3> &scene, SceneAudit &audit)
     {
       const auto look = [&audit](const SheetSurface &surface,
                                  const std::string  &whose) {
-        const double angle = std::atan(surface.largest_slope());
-        if (angle > steepest_flank)
+        if (const double slope = surface.largest_slope(); slope > 1.5)
           audit.warnings.push_back(
             whose + " surface: it is up to " +
-            format_quantity(angle, "deg", 3) +
-            " steep, and elements that are pressed into flanks above 60 deg "
-            "fold, so that the run may end early; filter it more (S-filter "
-            "nesting index) or lower it (Scale z).");
+            format_quantity(std::atan(slope), "deg", 3) +
+            " steep, and elements that are pressed into flanks of about 60 deg "
+            "fold, so that the run may end early; " +
+            (surface.topography ?
+               "filter it more (S-filter nesting index) or " :
+               "") +
+            "lower it (Scale z).");
       };
       look(scene.tool_surface, "Tool");
       look(scene.chip_surface, "Chip");

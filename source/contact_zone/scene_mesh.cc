@@ -44,14 +44,21 @@ namespace asperity
 
 
   double
+  numbers_in_factor(const double n_elements, const unsigned int degree)
+  {
+    return 20.4 * std::pow(3. * degree * n_elements, 1.38);
+  }
+
+
+
+  double
   patch_memory(const double n_elements, const unsigned int degree)
   {
-    const double n      = 3. * n_elements;
-    const double factor = 20.4 * std::pow(degree * n, 1.38);
     // Of a degree of 2 tables take 18 to 22 kB, and the matrices as much.
     const double bandwidth   = std::pow((2. * degree + 1.) / 5., 3);
     const double per_unknown = 40e3 * bandwidth;
-    return 2. * sizeof(double) * factor + per_unknown * n;
+    return 2. * sizeof(double) * numbers_in_factor(n_elements, degree) +
+           3. * n_elements * per_unknown;
   }
 
 

@@ -39,6 +39,38 @@ namespace asperity
                         Continuation::wrapped_spline;
                }}};
     }
+
+    /** What a measured surface alone reads. */
+    std::vector<std::string>
+    entries_of_map(const std::string &section)
+    {
+      std::vector<std::string> entries = {section + "/Spline fit"};
+      for (const std::string name : {"File",
+                                     "Lateral unit",
+                                     "Height unit",
+                                     "Spacing x",
+                                     "Spacing y",
+                                     "Spike threshold",
+                                     "Crop",
+                                     "Crop columns",
+                                     "Crop rows",
+                                     "F-operator",
+                                     "Polynomial degree",
+                                     "S-filter nesting index",
+                                     "L-filter nesting index",
+                                     "Profile direction",
+                                     "Profile position",
+                                     "Profile start",
+                                     "Profile length",
+                                     "Largest missing fraction",
+                                     "Scale x",
+                                     "Periodic continuation",
+                                     "Spline degree",
+                                     "Samples per knot",
+                                     "Blend fraction"})
+        entries.push_back(section + "/Topography/" + name);
+      return entries;
+    }
   } // namespace
 
 
@@ -79,30 +111,7 @@ namespace asperity
          [=](const SceneParameters &p) {
          return (p.*surface).kind != SurfaceKind::flat;
        }},
-        {{section + "/Spline fit",
-          map + "File",
-          map + "Lateral unit",
-          map + "Height unit",
-          map + "Spacing x",
-          map + "Spacing y",
-          map + "Spike threshold",
-          map + "Crop",
-          map + "Crop columns",
-          map + "Crop rows",
-          map + "F-operator",
-          map + "Polynomial degree",
-          map + "S-filter nesting index",
-          map + "L-filter nesting index",
-          map + "Profile direction",
-          map + "Profile position",
-          map + "Profile start",
-          map + "Profile length",
-          map + "Largest missing fraction",
-          map + "Scale x",
-          map + "Periodic continuation",
-          map + "Spline degree",
-          map + "Samples per knot",
-          map + "Blend fraction"},
+        {entries_of_map(section),
          "the Kind measured",
          kind(SurfaceKind::measured)}};
     const EntryConditions of_map = conditions_of_map(map, surface);

@@ -36,15 +36,14 @@ namespace asperity
                     "1",
                     Range::between(1., 2000.),
                     "Harmonics: the numbers k of waves in a period.");
-    parameters.list(
-      "Wave numbers across",
-      across,
-      "1",
-      Range::between(-2000., 2000.),
-      "Harmonics of a patch (Geometry/Dimension = 3): the numbers "
-      "j of waves along y, one for each wave number; "
-      "the surface is the sum of a_k cos(2 pi (k x/L + j y/W) + "
-      "phi_k). Empty: all 0, ridges along y.");
+    parameters.list("Wave numbers across",
+                    across,
+                    "1",
+                    Range::between(-2000., 2000.),
+                    "Harmonics of a patch (Geometry/Dimension = 3): the "
+                    "numbers j of waves along y, one for each wave number; the "
+                    "surface is the sum of a_k cos(2 pi (k x/L + j y/W) + "
+                    "phi_k). Empty: all 0, ridges along y.");
     parameters.list("Amplitudes",
                     amplitudes,
                     "um",
@@ -60,14 +59,13 @@ namespace asperity
                        Range::between(3, 5),
                        "Degree of the periodic spline; at least 3, so that the "
                        "curvature of the surface is continuous.");
-    parameters.integer(
-      "Spline spans",
-      spans,
-      Range::between(8, 20000),
-      "Spans of the periodic spline over a period. "
-      "`automatic`: 40 for each period of the shortest "
-      "harmonic, one for each 2 points of a measured profile. Along y "
-      "a patch always has 40 for each wave.");
+    parameters.integer("Spline spans",
+                       spans,
+                       Range::between(8, 20000),
+                       "Spans of the periodic spline over a period. "
+                       "`automatic`: 40 for each period of the shortest "
+                       "harmonic, one for each 2 points of a measured profile. "
+                       "Along y a patch always has 40 for each wave.");
     parameters.choice("Spline fit",
                       fit,
                       {{"least squares", SurfaceFit::least_squares},

@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdlib>
 
@@ -33,6 +34,15 @@ TEST(Environment, knows_the_rank_that_mpirun_has_given)
   setenv("OMPI_COMM_WORLD_RANK", "10", 1);
   EXPECT_FALSE(is_first_rank());
   unsetenv("OMPI_COMM_WORLD_RANK");
+}
+
+
+
+TEST(Environment, has_some_memory_left_and_no_more_than_there_is)
+{
+  EXPECT_GT(available_memory(), 1e6);
+  EXPECT_LE(available_memory(),
+            double(sysconf(_SC_PHYS_PAGES)) * sysconf(_SC_PAGESIZE));
 }
 
 

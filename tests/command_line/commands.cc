@@ -253,6 +253,35 @@ TEST_F(Commands, a_run_chooses_its_settings_where_that_is_wanted)
 
 
 
+TEST_F(Commands, a_patch_says_what_its_window_changed_and_where_it_slides)
+{
+  write("scene.prm",
+        "subsection Geometry\n set Dimension = 3\n set Width = 5 um\n"
+        " set Chip height = 6 um\nend\n"
+        "subsection Tool\n set Kind = measured\n subsection Topography\n"
+        "  set File = " ASPERITY_SOURCE_DIR
+        "/parameter_files/surfaces/blasted_tool.x3p\n"
+        "  set S-filter nesting index = 5 um\n  set Profile length = 5 um\n"
+        " end\nend\n"
+        "subsection Mesh\n set Spans = 8\n set Refinement levels = 0\nend\n"
+        "subsection Load\n set Pressure = 5 MPa\n"
+        " set Sliding direction = 30 deg\nend\n"
+        "subsection Protocol\n set Ramp steps = 2\n set Slide steps = 2\n"
+        "end\nsubsection Output\n set Output directory = run\nend\n");
+  const Result result = run("scene.prm");
+  EXPECT_EQ(result.status, 0) << result.errors;
+  EXPECT_NE(result.output.find("Slides at 30 deg to x"), std::string::npos)
+    << result.output;
+  const std::string summary = read("run/summary.json");
+  EXPECT_NE(summary.find("\"sliding_direction\": 0.52359877"), // pi/6
+            std::string::npos);
+  for (const std::string key :
+       {"window", "filled_samples", "Sq_before", "Sq_after", "transverse"})
+    EXPECT_NE(summary.find("\"" + key + "\": "), std::string::npos) << key;
+}
+
+
+
 TEST_F(Commands, all_linear_solvers_of_a_scene_give_the_same_friction)
 {
   std::string expected;

@@ -1,6 +1,7 @@
 #ifndef asperity_tests_contact_contact_problem_h
 #define asperity_tests_contact_contact_problem_h
 
+#include <asperity/constitutive/hyperelasticity.h>
 #include <asperity/contact/contact_assembler.h>
 #include <asperity/contact/curve_obstacle.h>
 #include <asperity/solid/equilibrium.h>
@@ -12,6 +13,16 @@
 
 namespace example
 {
+  /** A soft body [Pa]. */
+  inline asperity::ElasticParameters
+  elasticity()
+  {
+    asperity::ElasticParameters parameters;
+    parameters.young_modulus = 1e6;
+    parameters.poisson_ratio = 0.3;
+    return parameters;
+  }
+
   /** The half-plane above y = height; the body is below. */
   class Ceiling : public asperity::RigidObstacle<2>
   {

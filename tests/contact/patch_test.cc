@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "contact_problem.h"
-#include "sheared.h"
 
 namespace
 {

@@ -72,15 +72,6 @@ namespace example
                                       DirectSolverKind::cholmod);
     }
 
-    static ElasticParameters
-    elasticity()
-    {
-      ElasticParameters parameters;
-      parameters.young_modulus = 1e6;
-      parameters.poisson_ratio = 0.3;
-      return parameters;
-    }
-
     static std::shared_ptr<const MaterialLaw>
     elastic()
     {

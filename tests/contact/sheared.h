@@ -1,7 +1,6 @@
 #ifndef asperity_tests_contact_sheared_h
 #define asperity_tests_contact_sheared_h
 
-#include <asperity/constitutive/hyperelasticity.h>
 #include <asperity/contact/contact_assembler.h>
 
 #include <vector>
@@ -9,18 +8,6 @@
 // What the tests of contacts that bear shear have in common.
 namespace example
 {
-  /** A soft body [Pa]. */
-  inline asperity::ElasticParameters
-  elasticity()
-  {
-    asperity::ElasticParameters parameters;
-    parameters.young_modulus = 1e6;
-    parameters.poisson_ratio = 0.3;
-    return parameters;
-  }
-
-
-
   struct Interface
   {
     asperity::ContactFormulation formulation;

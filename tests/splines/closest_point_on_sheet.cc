@@ -349,6 +349,24 @@ TEST(ClosestPointOnSheet, chooses_between_equally_close_points)
       }
 }
 
+// Nothing is proved of points that no contact asks for, but a foot is there.
+TEST(ClosestPointOnSheet, gives_no_proof_beyond_a_thousand_periods)
+{
+  const auto hills = [](const double x, const double y) {
+    return 0.2 * std::cos(2. * M_PI * x) * std::cos(2. * M_PI * y);
+  };
+  const ClosestPointOnSheet closest(
+    interpolate_periodic_sheet(sampled(hills, {{16, 16}}, {{1., 1.}}), 3)
+      .sheet);
+  for (const double depth : {900., 1100.})
+    {
+      const auto found = closest.project(Point<3>(0.3, 0.4, -depth));
+      EXPECT_EQ(found.certified, depth < 1000.);
+      // within the height of the sheet
+      EXPECT_NEAR(std::abs(found.distance), depth, 0.21);
+    }
+}
+
 TEST(ClosestPointOnSheet, refuses_edges_and_high_degrees)
 {
   for (const unsigned int degree : {1u, 8u})

@@ -21,8 +21,9 @@ namespace asperity
   void
   choose_blas_kernels();
 
-  /** Memory that this machine can still give [bytes], by /proc/meminfo; all of
-   *  it where there is no such file; 0 if that is unknown, too. */
+  /** Memory that this machine can still give [bytes], by /proc/meminfo, and not
+   *  more than the limit of a container (cgroup v2) leaves; all of it where
+   *  there is no such file; 0 if that is unknown, too. */
   double
   available_memory();
 

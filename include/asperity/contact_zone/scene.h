@@ -224,14 +224,17 @@ namespace asperity
   graded_rows(const double height, const double top, const double grading);
 
   /**
-   * Memory of a patch of so many elements of degree p [bytes], n = 3 unknowns
-   * each: numbers in a factor of its tangent, of which two are kept, by
-   * 20.4 (p n)^1.38, and tables, pattern and matrices. The first was fitted to
-   * the panels that CHOLMOD's analysis counts on meshes of 1,300 to 20,000
-   * unknowns (within 10 %; its power is near the 4/3 of nested dissection, A.
-   * George, SIAM J. Numer. Anal. 10 (1973) 345-363, in space), the others to
-   * what scenes of these meshes took.
+   * Numbers in a factor of the tangent of a patch of so many elements of degree
+   * p, with n unknowns, 3 an element: 20.4 (p n)^1.38, fitted to the panels
+   * that CHOLMOD's analysis counts on meshes of 1,300 to 20,000 unknowns
+   * (within 10 %; its power is near the 4/3 of nested dissection in space, A.
+   * George, SIAM J. Numer. Anal. 10 (1973) 345-363).
    */
+  double
+  numbers_in_factor(const double n_elements, const unsigned int degree);
+
+  /** Memory of the patch [bytes]: of two factors, and of tables, pattern and
+   *  matrices as scenes of these meshes took them. */
   double
   patch_memory(const double n_elements, const unsigned int degree);
 

@@ -72,8 +72,8 @@ namespace asperity
    * coefficients of the squared distance and of its derivatives.
    *
    * project() does not allocate memory and is thread-safe. A point that is not
-   * finite, or so far away or so special (centre of a sphere) that the search
-   * becomes too long, gives `certified = false`.
+   * finite, or a thousand periods away, or so special (centre of a sphere) that
+   * the search becomes too long, gives `certified = false`.
    */
   class ClosestPointOnSheet
   {
