@@ -231,7 +231,7 @@ namespace asperity
       return {};
     std::vector<std::string> sentences = {
       models_for(parameters, scene),
-      "Forecast (time good for a factor of 2, the error in two of three scenes; "
+      "Forecast (time good for a factor of 2, the error in six of ten scenes; "
       "Accuracy/Control = estimate tells it): " +
         describe(forecast(numbers, oil)) + "."};
     const double wanted = parameters.accuracy.error;

@@ -13,7 +13,7 @@ namespace asperity
    * What error and time of a run will be, from the scene alone: power laws in a
    * few of its numbers, fitted to dry scenes
    * (parameter_files/reference_scenes/README.md, "What the program says before
-   * a run"). The time is good for a factor of two, the error in two of three
+   * a run"). The time is good for a factor of two, the error in six of ten
    * scenes.
    */
   struct AccuracyForecast
