@@ -15,8 +15,10 @@ namespace asperity
     constexpr double near_end = 200.;
 
     /** A step with an old tangent is tried if, contracting as the last one has,
-     *  it would end at this many tolerances. */
-    constexpr double last_step = 3.;
+     *  it would end at this many tolerances. It mostly contracts less: with 3
+     *  there are series of such steps, which cost more than a new tangent (a
+     *  dry run has 3 % more iterations, one with a shear factor of 1 28 %). */
+    constexpr double last_step = 0.4;
 
     /** The search along one direction: u + a d. */
     class LineSearch

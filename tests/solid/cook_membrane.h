@@ -5,6 +5,19 @@
 
 namespace loaded_solid
 {
+  /** Voce hardening of Simo and Armero (1992). */
+  inline MaterialParameters
+  cook_material()
+  {
+    MaterialParameters material;
+    material.elasticity.young_modulus = 206.9e9;
+    material.elasticity.poisson_ratio = 0.29;
+    material.choose(VoceParameters{0.45e9, 0.715e9, 16.93, 0.12924e9});
+    return material;
+  }
+
+  constexpr double cook_traction = 0.3125e9; ///< [Pa]
+
   /**
    * Cook's membrane in plane strain with Voce hardening (J. C. Simo,
    * F. Armero, Int. J. Numer. Methods Eng. 33 (1992) 1413): the tapered panel
@@ -17,20 +30,16 @@ namespace loaded_solid
                 const unsigned int n,
                 const unsigned int n_steps)
   {
-    MaterialParameters material;
-    material.elasticity.young_modulus = 206.9e9;
-    material.elasticity.poisson_ratio = 0.29;
-    material.choose(VoceParameters{0.45e9, 0.715e9, 16.93, 0.12924e9});
     Body body(
       make_space(degree, equal_spans(n), equal_spans(n)),
       [](const Point<2> &xi) {
         return Point<2>(48e-3 * xi[0],
                         44e-3 * xi[0] + (44e-3 - 28e-3 * xi[0]) * xi[1]);
       },
-      material.make_law());
+      cook_material().make_law());
     body.clamp(Edge::left);
     Tensor<1, 2> shear;
-    shear[1] = 0.3125e9;
+    shear[1] = cook_traction;
     body.add_traction(Edge::right,
                       [shear](const Point<2> &, const Tensor<1, 2> &) {
                         return shear;

@@ -15,6 +15,7 @@ Usage: tools/benchmarks/interface_shear.py [--asperity PROGRAM] [--to FOLDER]
   cases  mu, its shares, contact and cost of the sixteen reference scenes for
          shear factors of 0, 0.5, 0.8 and 1, and a chart of them
   mesh   mu over mesh and time steps for shear factors of 0.5, 0.8 and 0.99
+  steps  what the time steps err in the sixteen scenes, against 144 + 384 of them
 
 Tables go to the screen in Markdown, runs into FOLDER (default output/benchmarks).
 Run it on a quiet machine; compare times within one run only.
@@ -33,6 +34,12 @@ CASES = [(p, v, T) for p in (300, 1300) for v in (22.5, 200) for T in (25, 675)]
 PERIOD = 10.  # um
 WAVES = 60  # that a wedge is made of, the odd ones
 YIELD_STRESS = 210.  # MPa
+
+
+# The default settings, a tenth of the cost of the reference scenes' files.
+SETTINGS = {"Mesh/Spans": 160, "Mesh/Refinement levels": 3,
+            "Mesh/Strip depth": "0.1 um", "Protocol/Ramp steps": "automatic",
+            "Protocol/Slide steps": 96, "Solver/Tolerance": 1e-4}
 
 
 def shear(factor):
@@ -242,12 +249,12 @@ def draw_cases(arguments, summaries):
     print(file)
 
 
+def reference_scene(scene, case):
+    return os.path.join(ROOT, "parameter_files", "reference_scenes",
+                        "dry_{}_p{}_v{}_T{}.prm".format(scene, *case))
+
+
 def cases(arguments):
-    # The default settings, a tenth of the cost of the files'.
-    settings = {"Mesh/Spans": 160, "Mesh/Refinement levels": 3,
-                "Mesh/Strip depth": "0.1 um",
-                "Protocol/Ramp steps": "automatic",
-                "Protocol/Slide steps": 96, "Solver/Tolerance": 1e-4}
     summaries = {}
     print_head("scene | p [MPa] | v [m/min] | T [degC] | m | mu | ploughing | "
                "interface shear | contact fraction | real contact pressure "
@@ -255,14 +262,12 @@ def cases(arguments):
                "time over that of m = 0")
     for scene in ("R0", "R1"):
         for case in CASES:
-            file = os.path.join(ROOT, "parameter_files", "reference_scenes",
-                                "dry_{}_p{}_v{}_T{}.prm".format(scene, *case))
             reference = None
             for m in (0., 0.5, 0.8, 1.):
                 summary = run(arguments,
                               "shear_{}_p{}_v{}_T{}".format(scene, *case) +
-                              f"_m{m}", {**settings, **shear(m)}, file,
-                              may_fail=True)
+                              f"_m{m}", {**SETTINGS, **shear(m)},
+                              reference_scene(scene, case), may_fail=True)
                 if summary is None:
                     print("| {} | {} | {} | {} | ".format(scene, *case) +
                           f"{m} |" + " - |" * 9, flush=True)
@@ -307,6 +312,31 @@ def mesh(arguments):
                   flush=True)
 
 
+def steps(arguments):
+    print_head("m | steps | off in the mean [%] | least | most | Newton "
+               "iterations")
+    numbers = ((144, 384), (36, 96), (48, 96), (72, 96), (72, 60))
+    for m in (0.5, 0.8):
+        finest = {}
+        for ramp, slide in numbers:
+            off, iterations = [], 0
+            for scene, case in ((s, c) for s in ("R0", "R1") for c in CASES):
+                summary = run(
+                    arguments,
+                    "steps_{}_p{}_v{}_T{}".format(scene, *case) +
+                    f"_m{m}_{ramp}_{slide}",
+                    {**SETTINGS, **shear(m), "Protocol/Ramp steps": ramp,
+                     "Protocol/Slide steps": slide},
+                    reference_scene(scene, case))
+                mu = summary["friction"]["mu"]
+                mu_finest = finest.setdefault((scene, case), mu)
+                off.append(100. * (mu / mu_finest - 1.))
+                iterations += summary["cost"]["newton_iterations"]
+            print(f"| {m} | {ramp} + {slide} | {sum(off) / len(off):+.2f} | "
+                  f"{max(off):+.2f} | {min(off):+.2f} | {iterations} |",
+                  flush=True)
+
+
 def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
@@ -314,7 +344,8 @@ def main():
                         default=os.path.join(ROOT, "build", "asperity"))
     parser.add_argument("--to",
                         default=os.path.join(ROOT, "output", "benchmarks"))
-    tasks = {"wave": wave, "standing": standing, "junction": junction, "cases": cases, "mesh": mesh}
+    tasks = {"wave": wave, "standing": standing, "junction": junction,
+             "cases": cases, "mesh": mesh, "steps": steps}
     parser.add_argument("task", choices=tasks)
     arguments = parser.parse_args()
     arguments.to = os.path.abspath(arguments.to)
