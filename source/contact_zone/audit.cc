@@ -31,18 +31,48 @@ namespace asperity
     };
 
     template <int dim>
+    const SurfaceOf<dim> &
+    rougher_surface(const Scene<dim> &scene)
+    {
+      return peak_to_valley(scene.tool_surface) >=
+                 peak_to_valley(scene.chip_surface) ?
+               scene.tool_surface :
+               scene.chip_surface;
+    }
+
+    template <int dim>
     Asperities
     asperities_of(const Scene<dim> &scene)
     {
-      const double tool   = peak_to_valley(scene.tool_surface),
-                   chip   = peak_to_valley(scene.chip_surface);
-      const double height = std::max(tool, chip);
+      const SurfaceOf<dim> &rougher = rougher_surface(scene);
+      const double          height  = peak_to_valley(rougher);
       // What the splines of flat surfaces leave is round-off.
       if (height < 1e-9 * scene.length)
         return {};
-      const SurfaceOf<dim> &rougher =
-        tool >= chip ? scene.tool_surface : scene.chip_surface;
       return {height, height / rougher.largest_slope()};
+    }
+
+    /** In the direction in which they are fewest: ridges want short elements
+     *  across them only. */
+    template <int dim>
+    double
+    elements_across_steepest(const SceneParameters &parameters,
+                             const Scene<dim>      &scene,
+                             const Asperities      &asperities)
+    {
+      const auto  &mesh  = parameters.mesh;
+      const double along = mesh.spans / scene.length;
+      if constexpr (dim == 2)
+        return asperities.length * along;
+      else
+        {
+          const double across =
+            mesh.n_spans_across(scene.length, scene.width) / scene.width;
+          const SheetSurface &surface = rougher_surface(scene);
+          return asperities.height /
+                 std::max(surface.largest_slope(0) / along,
+                          surface.largest_slope(1) / across);
+        }
     }
 
     template <int dim>
@@ -179,13 +209,8 @@ namespace asperity
           "The contact penalty is soft against the roughness, so that mu is "
           "too small; raise the penalty factor or use augmentations.");
       audit_height(parameters, asperities, audit);
-      double longest = scene.length / parameters.mesh.spans;
-      if constexpr (dim == 3)
-        longest =
-          std::max(longest,
-                   scene.width /
-                     parameters.mesh.n_spans_across(scene.length, scene.width));
-      const double elements = asperities.length / longest;
+      const double elements =
+        elements_across_steepest(parameters, scene, asperities);
       audit.entries.push_back(
         {"elements across the steepest asperity",
          elements,
@@ -323,31 +348,6 @@ namespace asperity
 
 
 
-  namespace
-  {
-    void
-    audit_flanks(const Scene<3> &scene, SceneAudit &audit)
-    {
-      const auto look = [&audit](const SheetSurface &surface,
-                                 const std::string  &whose) {
-        if (const double slope = surface.largest_slope(); slope > 1.5)
-          audit.warnings.push_back(
-            whose + " surface: it is up to " +
-            format_quantity(std::atan(slope), "deg", 3) +
-            " steep, and elements that are pressed into flanks of about 60 deg "
-            "fold, so that the run may end early; " +
-            (surface.topography ?
-               "filter it more (S-filter nesting index) or " :
-               "") +
-            "lower it (Scale z).");
-      };
-      look(scene.tool_surface, "Tool");
-      look(scene.chip_surface, "Chip");
-    }
-  } // namespace
-
-
-
   SceneAudit
   audit_scene(const SceneParameters &parameters, const Scene<2> &scene)
   {
@@ -367,7 +367,8 @@ namespace asperity
   {
     SceneAudit audit = audit_motion(parameters, scene);
     audit_interface(parameters, audit);
-    audit_flanks(scene, audit);
+    audit_flanks(scene.tool_surface, "Tool", audit);
+    audit_flanks(scene.chip_surface, "Chip", audit);
     if (scene.tool_surface.topography)
       audit_treatment(parameters.tool.topography,
                       *scene.tool_surface.topography,

@@ -183,6 +183,14 @@ namespace asperity
 
 
 
+  double
+  SheetSurface::largest_slope(const unsigned int direction) const
+  {
+    return sheet.largest_slope(direction);
+  }
+
+
+
   SheetSurface
   SheetSurface::mapped(const double factor, const double offset) const
   {

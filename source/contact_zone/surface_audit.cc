@@ -97,4 +97,24 @@ namespace asperity
     audit_treatment(parameters.topography, *surface.topography, whose, audit);
     audit_texture(*surface.topography, whose, audit);
   }
+
+
+
+  void
+  audit_flanks(const SheetSurface &surface,
+               const std::string  &whose,
+               SceneAudit         &audit)
+  {
+    const double slope = surface.largest_slope();
+    if (slope <= 1.5)
+      return;
+    const std::string filter =
+      surface.topography ? "filter it more (S-filter nesting index) or " : "";
+    audit.warnings.push_back(
+      whose + " surface: it is up to " +
+      format_quantity(std::atan(slope), "deg", 3) +
+      " steep, and elements that are pressed into flanks of about 60 deg fold, "
+      "so that the run may end early; " +
+      filter + "lower it (Scale z).");
+  }
 } // namespace asperity

@@ -2,6 +2,7 @@
 #define asperity_contact_zone_surface_audit_h
 
 #include <asperity/contact_zone/audit.h>
+#include <asperity/contact_zone/sheet_surface.h>
 #include <asperity/contact_zone/surface.h>
 
 #include <string>
@@ -27,6 +28,13 @@ namespace asperity
                 const Surface           &surface,
                 const std::string       &whose,
                 SceneAudit              &audit);
+
+  /** Whether a surface in three dimensions is so steep that elements fold.
+   *  @param whose "Tool" or "Chip" */
+  void
+  audit_flanks(const SheetSurface &surface,
+               const std::string  &whose,
+               SceneAudit         &audit);
 } // namespace asperity
 
 #endif

@@ -231,15 +231,37 @@ namespace asperity
 
 
 
+  namespace
+  {
+    /** max of a norm of the gradient, which is at most its length. */
+    template <typename Norm>
+    double
+    largest_norm(const SplineSheet &sheet, const Norm &norm)
+    {
+      const auto nets  = gradient_nets(sheet);
+      double     bound = 0.;
+      for (const auto &net : nets)
+        for (const auto &gradient : net.values)
+          bound = std::max(bound, gradient.norm());
+      return LargestValue(nets, norm, relative_tolerance * bound).best;
+    }
+  } // namespace
+
+
+
   double
   SplineSheet::largest_slope() const
   {
-    const auto nets  = gradient_nets(*this);
-    double     bound = 0.;
-    for (const auto &net : nets)
-      for (const auto &gradient : net.values)
-        bound = std::max(bound, gradient.norm());
-    const auto norm = [](const Tensor<1, 2> &g) { return g.norm(); };
-    return LargestValue(nets, norm, relative_tolerance * bound).best;
+    return largest_norm(*this, [](const Tensor<1, 2> &g) { return g.norm(); });
+  }
+
+
+
+  double
+  SplineSheet::largest_slope(const unsigned int direction) const
+  {
+    return largest_norm(*this, [direction](const Tensor<1, 2> &g) {
+      return std::abs(g[direction]);
+    });
   }
 } // namespace asperity

@@ -186,6 +186,17 @@ TEST(SplineSheet, finds_the_extremes_of_a_product_of_cosines)
   EXPECT_NEAR(sheet.mean(), 0., 1e-12);
 }
 
+TEST(SplineSheet, tells_slopes_along_and_across_apart)
+{
+  const auto waves = [](const double x, const double y) {
+    return 0.3 * std::cos(2. * M_PI * x) + 0.5 * std::sin(2. * M_PI * y / 4.);
+  };
+  const SplineSheet sheet =
+    interpolate_periodic_sheet(sampled(waves, {{40, 40}}, {{1., 4.}}), 5).sheet;
+  EXPECT_NEAR(sheet.largest_slope(0), 0.6 * M_PI, 1e-5);
+  EXPECT_NEAR(sheet.largest_slope(1), 0.25 * M_PI, 1e-5);
+}
+
 TEST(SplineSheet, follows_a_linear_map_of_its_heights)
 {
   const SplineSheet sheet  = random_sheet();

@@ -35,6 +35,10 @@ namespace asperity
     double
     largest_slope() const;
 
+    /** max |ds/dx|, or |ds/dy| for a direction of 1 */
+    double
+    largest_slope(const unsigned int direction) const;
+
     /** factor s(x, y) + offset */
     SheetSurface
     mapped(const double factor, const double offset) const;

@@ -94,6 +94,11 @@ namespace asperity
     double
     largest_slope() const;
 
+    /** max |ds/dx_d|, proved likewise.
+     *  @param direction d, 0 for x and 1 for y */
+    double
+    largest_slope(const unsigned int direction) const;
+
     /** Integral of s over one period of both directions, divided by its area
      *  [m]. */
     double
