@@ -3,6 +3,7 @@
 #include <asperity/base/mpi_session.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/multithread_info.h>
 
 #include <cstdlib>
 #include <utility>
@@ -45,6 +46,17 @@ namespace asperity
     private:
       std::vector<const char *> set_here;
     };
+
+    /** Lets ranks that wait for a message leave the core to others where there
+     *  are more of them than cores. */
+    void
+    yield_where_crowded()
+    {
+      const char *const n_here = std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE");
+      if (n_here != nullptr && std::strtoul(n_here, nullptr, 10) >
+                                 dealii::MultithreadInfo::n_cores())
+        setenv("OMPI_MCA_mpi_yield_when_idle", "1", 0);
+    }
   } // namespace
 
 
@@ -76,7 +88,9 @@ namespace asperity
     if (session->mpi)
       return;
     std::unique_ptr<SettingsOfLoneProcess> settings;
-    if (!is_started_by_mpirun())
+    if (is_started_by_mpirun())
+      yield_where_crowded();
+    else
       settings = std::make_unique<SettingsOfLoneProcess>();
     session->mpi =
       std::make_unique<MPI_InitFinalize>(session->argc, session->argv, 1);
