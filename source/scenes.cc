@@ -6,6 +6,7 @@
 #include <asperity/base/exit_status.h>
 #include <asperity/base/mpi_session.h>
 #include <asperity/base/parameters.h>
+#include <asperity/base/ranks.h>
 #include <asperity/base/text.h>
 #include <asperity/campaign/commands.h>
 #include <asperity/contact_zone/commands.h>
@@ -130,16 +131,20 @@ namespace
   /**
    * What the ranks do with an error. All ranks read the same input, so all of
    * them find what is wrong with it, and one of them says it. A computation may
-   * fail on one rank while the others wait for it: then MPI has to end them.
+   * fail on one rank while the others wait for it: then MPI has to end them,
+   * unless all of them have found the failure together.
    */
   int
-  report(const ExitStatus status, const std::string &message)
+  report(const ExitStatus   status,
+         const std::string &message,
+         const bool         is_shared = false)
   {
-    const bool alone = MpiSession::n_ranks() == 1;
+    const bool alone     = MpiSession::n_ranks() == 1;
+    const bool all_agree = is_shared || status == input_is_wrong;
     std::cout.flush();
-    if (is_first_rank() || status != input_is_wrong)
+    if (is_first_rank() || !all_agree)
       std::cerr << "Error: " << printable(message) << std::endl;
-    if (!alone && status != input_is_wrong)
+    if (!alone && !all_agree)
       MPI_Abort(MPI_COMM_WORLD, status);
     return status;
   }
@@ -177,6 +182,10 @@ main(int argc, char **argv)
   catch (const InputError &error)
     {
       return report(input_is_wrong, error.what());
+    }
+  catch (const SharedError &error)
+    {
+      return report(computation_failed, error.what(), true);
     }
   catch (const ComputationError &error)
     {

@@ -34,7 +34,8 @@ namespace asperity
     const PatchGeometry<dim>                 &geometry,
     const Edge                                edge,
     std::shared_ptr<const RigidObstacle<dim>> obstacle,
-    const ContactOptions                     &options)
+    const ContactOptions                     &options,
+    const CellShare                          &cells)
     : space(std::move(space))
     , obstacle(std::move(obstacle))
     , options_(options)
@@ -46,7 +47,8 @@ namespace asperity
                       dealii::QGauss<dim - 1>(options.points_per_element > 0 ?
                                                 options.points_per_element :
                                                 this->space->degree() + 2)))
-    , tractions(*this->space, table_, edge, options.formulation)
+    , share{cells.ranks, {}}
+    , tractions(*this->space, table_, edge, options.formulation, cells)
     , multiplier(tractions.size(), 0.)
     , hint(table_.JxW.size())
     , position(table_.JxW.size())
@@ -57,6 +59,9 @@ namespace asperity
     for (unsigned int q = 0; q < hint.size(); ++q)
       for (unsigned int k = 0; k < dim - 1; ++k)
         hint[q][k] = table_.position[q][k];
+    if (!cells.owner.empty())
+      for (const auto &element : table_.elements)
+        share.owner.push_back(cells.owner[element.cell]);
     position.assign(position.size(), nowhere<dim>());
     if (options.interface.law != InterfaceShear::none)
       shear_.emplace(
@@ -79,9 +84,12 @@ namespace asperity
   void
   ContactAssembler<dim>::measure(const Vector &u)
   {
-    for (const auto &entry : table_.elements)
+    bool anything_new = false;
+    for (unsigned int e = 0; e < table_.elements.size(); ++e)
       {
-        const ElementView<dim> element(table_, entry);
+        if (!share.is_own(e))
+          continue;
+        const ElementView<dim> element(table_, table_.elements[e]);
         for (unsigned int q = 0; q < table_.points_per_element; ++q)
           {
             const unsigned int point = element.point(q);
@@ -90,9 +98,38 @@ namespace asperity
             // A tangent is often wanted where the residual was.
             if (x == position[point])
               continue;
+            anything_new    = true;
             position[point] = x;
             gap[point]      = obstacle->gap(x - offset, hint[point]);
           }
+      }
+    if (!share.ranks.all(!anything_new))
+      share_measured();
+  }
+
+
+
+  template <int dim>
+  void
+  ContactAssembler<dim>::share_measured()
+  {
+    struct Measured
+    {
+      dealii::Point<dim>     position;
+      dealii::Point<dim - 1> hint;
+      GapPoint<dim>          gap;
+    };
+    if (!share.ranks.are_several())
+      return;
+    std::vector<Measured> measured(gap.size());
+    for (unsigned int q = 0; q < gap.size(); ++q)
+      measured[q] = {position[q], hint[q], gap[q]};
+    share.ranks.share(share.owner, measured);
+    for (unsigned int q = 0; q < gap.size(); ++q)
+      {
+        position[q] = measured[q].position;
+        hint[q]     = measured[q].hint;
+        gap[q]      = measured[q].gap;
       }
   }
 
@@ -121,9 +158,11 @@ namespace asperity
   void
   ContactAssembler<dim>::add_residual(Vector &residual) const
   {
-    for (const auto &entry : table_.elements)
+    for (unsigned int e = 0; e < table_.elements.size(); ++e)
       {
-        const ElementView<dim> element(table_, entry);
+        if (!share.is_own(e))
+          continue;
+        const ElementView<dim> element(table_, table_.elements[e]);
         for (unsigned int q = 0; q < table_.points_per_element; ++q)
           {
             const unsigned int point = element.point(q);

@@ -203,9 +203,11 @@ namespace asperity
   void
   ShearTraction<dim>::add_residual(dealii::Vector<double> &residual) const
   {
-    for (const auto &entry : table.elements)
+    for (unsigned int e = 0; e < table.elements.size(); ++e)
       {
-        const ElementView<dim> element(table, entry);
+        if (!tractions.is_own(e))
+          continue;
+        const ElementView<dim> element(table, table.elements[e]);
         for (unsigned int q = 0; q < table.points_per_element; ++q)
           for (unsigned int k = 0; k < dim - 1; ++k)
             {

@@ -14,11 +14,13 @@ namespace asperity
   TractionSpace<dim>::TractionSpace(const SplineSpace<dim>  &space,
                                     const BasisTable<dim>   &table,
                                     const Edge               edge,
-                                    const ContactFormulation formulation)
+                                    const ContactFormulation formulation,
+                                    const CellShare         &share)
     : formulation_(formulation)
     , table(table)
     , edge_functions(space.edge_functions(edge))
     , neighbours(edge_functions.size())
+    , own_functions(edge_functions.size(), false)
   {
     std::vector<std::set<unsigned int>> overlap(edge_functions.size());
     for (const auto &entry : table.elements)
@@ -35,8 +37,13 @@ namespace asperity
             functions.push_back(found - edge_functions.begin());
             columns.push_back(a);
           }
+        own_elements.push_back(share.is_own(entry.cell));
         for (const unsigned int a : functions)
-          overlap[a].insert(functions.begin(), functions.end());
+          {
+            if (overlap[a].empty())
+              own_functions[a] = own_elements.back();
+            overlap[a].insert(functions.begin(), functions.end());
+          }
         element_functions.push_back(functions);
         element_columns.push_back(columns);
       }
@@ -148,10 +155,13 @@ namespace asperity
               pattern.add(displacement_dof<dim>(edge_functions[a], i),
                           displacement_dof<dim>(edge_functions[b], j));
     };
-    for (const auto &indices : formulation_ == ContactFormulation::mortar ?
-                                 neighbours :
-                                 element_functions)
-      couple(indices);
+    if (formulation_ == ContactFormulation::mortar)
+      for (unsigned int a = 0; a < neighbours.size(); ++a)
+        if (own_functions[a])
+          couple(neighbours[a]);
+    for (unsigned int e = 0; e < element_functions.size(); ++e)
+      if (own_elements[e])
+        couple(element_functions[e]);
   }
 
 
@@ -178,7 +188,7 @@ namespace asperity
   {
     std::vector<Vectors> h(edge_functions.size());
     for (unsigned int a = 0; a < h.size(); ++a)
-      if (factors[a] != 0.)
+      if (factors[a] != 0. && own_functions[a])
         h[a].resize(neighbours[a].size());
     for (unsigned int e = 0; e < table.elements.size(); ++e)
       {
@@ -247,7 +257,7 @@ namespace asperity
           const ElementView<dim> element(table, table.elements[e]);
           const unsigned int     point  = element.point(q);
           const double           factor = factors[point] * element.JxW(q);
-          if (factor == 0.)
+          if (factor == 0. || !own_elements[e])
             continue;
           for (const unsigned int a : element_columns[e])
             for (const unsigned int b : element_columns[e])

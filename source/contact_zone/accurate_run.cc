@@ -140,7 +140,7 @@ namespace asperity
         try
           {
             run.scene = at_settings(file, scene, at);
-            run.scene->compute(folder, progress);
+            run.scene->compute(&folder, progress);
             run.accuracy.error.reset();
             finish();
             family.add(at, run.scene->member());

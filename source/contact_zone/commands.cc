@@ -27,6 +27,7 @@ namespace asperity
                   audited.audit,
                   scene.parameters().heat_model(),
                   false);
+      print_ranks(*audited.scene);
       print_unused(audited.audit.unused);
       print_warnings(scene.notes());
       print_warnings(notes);
@@ -65,7 +66,7 @@ namespace asperity
         run_adaptively(accurate, file, *folder, progress, finish);
       else
         {
-          accurate.scene->compute(*folder, progress);
+          accurate.scene->compute(folder.get(), progress);
           // The results are safe before companions run, which may be killed.
           finish();
           if (is_wanted)
@@ -84,21 +85,29 @@ namespace asperity
     }
 
 
-    /** A scene in three dimensions. */
+    /** A scene in three dimensions, on all ranks. */
     void
     run_patch(const std::string &file)
     {
       dealii::Timer            timer;
-      SceneRun<3>              scene(file);
+      const Ranks              ranks = Ranks::together();
+      SceneRun<3>              scene(file, {}, ranks);
       const auto               folder = scene.lock_folder();
       std::vector<std::string> notes;
-      if (!folder->warning().empty())
+      if (folder && !folder->warning().empty())
         notes.push_back(folder->warning());
-      std::cout << version_line() << "\n";
-      begin_report(scene, notes);
-      ProgressLine progress(std::cout);
-      scene.compute(*folder, progress);
+      if (folder)
+        {
+          std::cout << version_line() << "\n";
+          begin_report(scene, notes);
+        }
+      ProgressLine progress(std::cout,
+                            folder ? ProgressLine::Mode::automatic :
+                                     ProgressLine::Mode::silent);
+      scene.compute(folder.get(), progress);
       scene.finish({}, notes, timer.wall_time());
+      if (!folder)
+        return;
       progress.note("");
       print_result(scene.run(),
                    scene.parameters(),
@@ -116,6 +125,7 @@ namespace asperity
                   audited.audit,
                   input.parameters.heat_model(),
                   true);
+      print_ranks(*audited.scene);
       print_unused(audited.audit.unused);
       if constexpr (dim == 2)
         for (const std::string &sentence :
@@ -131,17 +141,19 @@ namespace asperity
   int
   run_scene(const std::string &file)
   {
-    // A scene is solved by one rank; others would write the same files.
+    if (SceneInput(file).parameters.geometry.dimension == 3)
+      {
+        run_patch(file);
+        return 0;
+      }
+    // Others would write the same files.
     if (!is_first_rank())
       return 0;
     const unsigned int n_ranks = MpiSession::n_ranks();
     if (n_ranks > 1)
-      std::cout << "A scene runs on one rank; the other " << n_ranks - 1
-                << " stay idle.\n";
-    if (SceneInput(file).parameters.geometry.dimension == 3)
-      run_patch(file);
-    else
-      run_profile(file);
+      std::cout << "A scene in two dimensions runs on one rank; the other "
+                << n_ranks - 1 << " stay idle.\n";
+    run_profile(file);
     return 0;
   }
 

@@ -53,18 +53,20 @@ namespace asperity
 
 
   template <int dim>
-  Scene<dim>::Scene(const SceneParameters &parameters)
+  Scene<dim>::Scene(const SceneParameters &parameters, const Ranks &ranks)
     : motion(direction_of_motion<dim>(parameters.load.direction))
+    , share_{ranks, {}}
   {
     build_surfaces(parameters);
     build_mesh(parameters);
+    build_share();
     law = parameters.make_law();
     build_chip(parameters);
     build_contact(parameters);
     build_lubricant(parameters);
     build_heat(parameters);
     build_boundaries();
-    build_equilibrium(parameters.solver.linear_solver);
+    build_equilibrium();
   }
 
 
@@ -127,7 +129,8 @@ namespace asperity
       geometry,
       law,
       Kinematics::plane_strain,
-      parameters.mesh.n_quadrature_points());
+      parameters.mesh.n_quadrature_points(),
+      share_);
     MaterialState start;
     start.temperature    = parameters.load.temperature;
     start.plastic_strain = parameters.load.plastic_strain;
@@ -158,7 +161,7 @@ namespace asperity
     if constexpr (dim == 3)
       options.motion = {{motion[0], motion[1]}};
     contact = std::make_unique<ContactAssembler<dim>>(
-      space, geometry, Edge::top, tool, options);
+      space, geometry, Edge::top, tool, options, share_);
     surface_layer = std::make_unique<SurfaceLayer<dim>>(chip->table(),
                                                         contact->table(),
                                                         length);
@@ -168,21 +171,24 @@ namespace asperity
 
   template <int dim>
   void
-  Scene<dim>::build_equilibrium(const DirectSolverKind linear_solver)
+  Scene<dim>::build_equilibrium()
   {
     std::vector<ForceTerm *> terms = {chip.get(), contact.get()};
     if (lubricant)
       terms.push_back(lubricant.get());
     // The tangent of a film is symmetric in structure only.
     const bool symmetric = n_lubricant_unknowns == 0;
-    equilibrium =
-      std::make_unique<Equilibrium>(n_unknowns(),
-                                    terms,
-                                    constraints_,
-                                    symmetric || linear_solver !=
-                                                   DirectSolverKind::cholmod ?
-                                      linear_solver :
-                                      DirectSolverKind::supernodal_lu);
+    if (!symmetric && linear_solver_ == DirectSolverKind::cholmod)
+      linear_solver_ = DirectSolverKind::supernodal_lu;
+    SharedSystem shared;
+    shared.ranks           = share_.ranks;
+    shared.n_components    = dim;
+    shared.near_null_space = [this]() { return rigid_motions(); };
+    if (!share_.owner.empty())
+      for (const unsigned int owner : function_owners(*space, share_.owner))
+        shared.row_owner.insert(shared.row_owner.end(), dim, owner);
+    equilibrium = std::make_unique<Equilibrium>(
+      n_unknowns(), terms, constraints_, linear_solver_, shared);
     // A chip that floats on oil is held by the oil's volume alone.
     equilibrium->set_support(
       displacement_dof<dim>(space->edge_functions(Edge::bottom).front(),

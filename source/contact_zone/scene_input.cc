@@ -19,8 +19,9 @@ namespace asperity
 
 
   template <int dim>
-  AuditedScene<dim>::AuditedScene(SceneParameters &parameters)
-    : scene(std::make_unique<Scene<dim>>(parameters))
+  AuditedScene<dim>::AuditedScene(SceneParameters &parameters,
+                                  const Ranks     &ranks)
+    : scene(std::make_unique<Scene<dim>>(parameters, ranks))
     , audit(audit_scene(parameters, *scene))
   {
     if (parameters.protocol.inertia == Inertia::automatic)
@@ -32,6 +33,11 @@ namespace asperity
         "Entry 'Protocol/Reversal distance': found a chip that turns back with "
         "a lubricant that fills the gap, for which the chip has inertia; "
         "expected 0 um or another lubricant model.");
+    if (ranks.are_several() && audit.inertia == Inertia::dynamic)
+      throw InputError("Entry 'Protocol/Inertia': found a chip whose inertia "
+                       "counts on " +
+                       std::to_string(ranks.size()) +
+                       " ranks; expected quasi-static, or one rank.");
     if (parameters.mesh.adaptive_levels > 0 &&
         audit.inertia == Inertia::dynamic)
       throw InputError(
@@ -49,8 +55,8 @@ namespace asperity
 
 
   template <int dim>
-  AuditedScene<dim>::AuditedScene(SceneInput &input)
-  try : AuditedScene(input.parameters)
+  AuditedScene<dim>::AuditedScene(SceneInput &input, const Ranks &ranks)
+  try : AuditedScene(input.parameters, ranks)
     {
       audit.unused = unused_entries(input.parameters, input.declarator);
     }

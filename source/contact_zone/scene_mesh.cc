@@ -1,4 +1,3 @@
-#include <asperity/base/environment.h>
 #include <asperity/base/errors.h>
 #include <asperity/contact_zone/scene.h>
 #include <asperity/isogeometric/space_transfer.h>
@@ -43,32 +42,8 @@ namespace asperity
 
 
 
-  double
-  numbers_in_factor(const double n_elements, const unsigned int degree)
-  {
-    return 20.4 * std::pow(3. * degree * n_elements, 1.38);
-  }
-
-
-
-  double
-  patch_memory(const double n_elements, const unsigned int degree)
-  {
-    // Of a degree of 2 tables take 18 to 22 kB, and the matrices as much.
-    const double bandwidth   = std::pow((2. * degree + 1.) / 5., 3);
-    const double per_unknown = 40e3 * bandwidth;
-    return 2. * sizeof(double) * numbers_in_factor(n_elements, degree) +
-           3. * n_elements * per_unknown;
-  }
-
-
-
   namespace
   {
-    /** Bezier elements whose tables, tangent and factors take about 2 GB in two
-     *  dimensions. */
-    constexpr double largest_mesh = 1e5;
-
     /** Upper bound of the number of elements: each row is as fine as its upper
      *  edge.
      *  @param columns of the coarsest mesh */
@@ -102,38 +77,6 @@ namespace asperity
           sum += columns * finer;
         }
       return sum;
-    }
-
-    std::string
-    format_number_of_bytes(const double bytes)
-    {
-      return format_quantity(1e-9 * bytes, "1", 2) + " GB";
-    }
-
-    /** Before memory runs out. */
-    template <int dim>
-    void
-    check_size(const MeshParameters      &mesh,
-               const unsigned int         columns,
-               const std::vector<double> &rows)
-    {
-      const double n = largest_number_of_elements<dim>(mesh, columns, rows);
-      const double memory    = dim == 3 ? patch_memory(n, mesh.degree) : 0.;
-      const double available = dim == 3 ? available_memory() : 0.;
-      std::string  expected;
-      if (dim == 2 && n > largest_mesh)
-        expected = "; expected at most " + format_quantity(largest_mesh, "1");
-      if (dim == 3 && available > 0. && memory > available)
-        expected = ", which takes about " + format_number_of_bytes(memory) +
-                   " of memory; this machine can give " +
-                   format_number_of_bytes(available);
-      if (!expected.empty())
-        throw InputError("Mesh: these entries make a mesh of about " +
-                         format_quantity(n, "1", 2) + " elements" + expected +
-                         ": fewer Spans" +
-                         (dim == 3 ? " or Spans across" : "") +
-                         ", a larger Row grading, a smaller Strip depth, or a "
-                         "smaller Chip height.");
     }
 
     double
@@ -175,7 +118,8 @@ namespace asperity
       graded_rows(height,
                   way_through(length / n, width / n_across),
                   mesh.grading);
-    check_size<dim>(mesh, n * n_across, rows);
+    choose_solver(parameters,
+                  largest_number_of_elements<dim>(mesh, n * n_across, rows));
     std::array<KnotVector, dim> knots;
     knots[0]       = periodic_knots(mesh.degree, length, n);
     knots[dim - 1] = KnotVector(mesh.degree, rows);
@@ -218,7 +162,7 @@ namespace asperity
     build_chip(parameters);
     build_contact(parameters);
     build_boundaries();
-    build_equilibrium(parameters.solver.linear_solver);
+    build_equilibrium();
     equilibrium->add_cost(cost);
     initial_unknowns_.reinit(n_unknowns());
     return true;

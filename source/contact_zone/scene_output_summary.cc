@@ -1,6 +1,7 @@
 #include <asperity/base/version.h>
 #include <asperity/contact_zone/mechanisms.h>
 #include <asperity/contact_zone/scene_output.h>
+#include <asperity/contact_zone/scene_report.h>
 #include <asperity/postprocess/summary.h>
 
 #include <deal.II/base/timer.h>
@@ -203,6 +204,12 @@ namespace asperity
     {
       const EquilibriumCost &cost = scene.equilibrium->cost();
       json                   summary;
+      if constexpr (dim == 3)
+        {
+          summary["ranks"]         = scene.share().ranks.size();
+          summary["imbalance"]     = scene.imbalance();
+          summary["linear_solver"] = name_of_solver(scene.linear_solver());
+        }
       summary["wall_time"]     = wall_time;
       summary["assembly"]      = cost.assembly;
       summary["factorisation"] = cost.factorisation;

@@ -217,15 +217,22 @@ namespace asperity
                        maximum_cuts,
                        Range::between(0, 30),
                        "How often a step is halved before the run gives up.");
-    parameters.choice("Linear solver",
-                      linear_solver,
-                      {{"cholmod", DirectSolverKind::cholmod},
-                       {"umfpack", DirectSolverKind::umfpack},
-                       {"klu", DirectSolverKind::klu},
-                       {"mumps", DirectSolverKind::mumps}},
-                      "Direct solver of the tangent: `cholmod`, Cholesky with "
-                      "LU where the tangent is indefinite, is the fastest; "
-                      "`umfpack`, `klu` and `mumps` for comparison.");
+    parameters.choice(
+      "Linear solver",
+      linear_solver,
+      {{"automatic", DirectSolverKind::automatic},
+       {"cholmod", DirectSolverKind::cholmod},
+       {"umfpack", DirectSolverKind::umfpack},
+       {"klu", DirectSolverKind::klu},
+       {"mumps", DirectSolverKind::mumps},
+       {"krylov", DirectSolverKind::krylov}},
+      "Solver of the tangent: `cholmod`, Cholesky with LU where "
+      "the tangent is indefinite, is the fastest direct one on "
+      "one rank, `mumps` the one on several; `krylov`, GMRES "
+      "with algebraic multigrid, needs the least memory; "
+      "`automatic` takes a direct one where the memory has room "
+      "for its factor, and else `krylov`. `umfpack` and `klu` "
+      "are for comparison, on one rank.");
   }
 
 

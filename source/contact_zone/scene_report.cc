@@ -107,6 +107,45 @@ namespace asperity
 
 
 
+  std::string
+  name_of_solver(const DirectSolverKind kind)
+  {
+    switch (kind)
+      {
+        case DirectSolverKind::cholmod:
+          return "cholmod";
+        case DirectSolverKind::supernodal_lu:
+          return "LU in the order of cholmod";
+        case DirectSolverKind::umfpack:
+          return "umfpack";
+        case DirectSolverKind::klu:
+          return "klu";
+        case DirectSolverKind::krylov:
+          return "krylov";
+        default:
+          return "mumps";
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  print_ranks(const Scene<dim> &scene)
+  {
+    if (dim == 2)
+      return;
+    std::cout << "Linear solver: " << name_of_solver(scene.linear_solver());
+    const unsigned int n = scene.share().ranks.size();
+    if (n > 1)
+      std::cout << ", on " << n << " ranks, of which one has "
+                << format_quantity(100. * (scene.imbalance() - 1.), "1", 2)
+                << " % more work than the mean";
+    std::cout << "\n";
+  }
+
+
+
   void
   print_unused(const std::vector<UnusedEntry> &entries)
   {
@@ -186,6 +225,10 @@ namespace asperity
               const SceneAudit &,
               const HeatModel,
               const bool);
+  template void
+  print_ranks(const Scene<2> &);
+  template void
+  print_ranks(const Scene<3> &);
   template void
   print_result(const SlidingRun<2> &,
                const SceneParameters &,

@@ -73,9 +73,12 @@ namespace asperity
 
 
   template <int dim>
-  SceneRun<dim>::SceneRun(const std::string &file, const EntryValues &changes)
-    : input(file, changes)
-    , audited_(input)
+  SceneRun<dim>::SceneRun(const std::string &file,
+                          const EntryValues &changes,
+                          const Ranks       &ranks)
+    : ranks(ranks)
+    , input(file, changes)
+    , audited_(input, ranks)
     , run_(input.parameters, *audited_.scene)
     , notes_(notes_on_input(input))
   {
@@ -114,38 +117,63 @@ namespace asperity
   std::unique_ptr<OutputFolder>
   SceneRun<dim>::lock_folder() const
   {
-    return std::make_unique<OutputFolder>(parameters().output.directory,
-                                          input.declarator.where(
-                                            "Output/Output directory"),
-                                          FolderUse::run);
+    std::unique_ptr<OutputFolder> folder;
+    std::string                   problem;
+    // All ranks have read the checkpoint before anything is written.
+    ranks.meet();
+    if (ranks.is_first())
+      try
+        {
+          folder = std::make_unique<OutputFolder>(parameters().output.directory,
+                                                  input.declarator.where(
+                                                    "Output/Output directory"),
+                                                  FolderUse::run);
+        }
+      catch (const InputError &error)
+        {
+          problem = error.what();
+        }
+    if (!ranks.all(!ranks.is_first() || folder != nullptr))
+      throw InputError(problem);
+    return folder;
   }
 
 
 
   template <int dim>
   void
-  SceneRun<dim>::compute(const OutputFolder &folder, ProgressLine &progress)
+  SceneRun<dim>::compute(const OutputFolder *folder, ProgressLine &progress)
   {
-    folder.clear(parameters().output.restart);
-    write_parameters(input);
-    output = std::make_unique<SceneOutput<dim>>(parameters(),
-                                                input.record,
-                                                *audited_.scene,
-                                                run_.state());
+    if (folder != nullptr)
+      {
+        folder->clear(parameters().output.restart);
+        write_parameters(input);
+        output = std::make_unique<SceneOutput<dim>>(parameters(),
+                                                    input.record,
+                                                    *audited_.scene,
+                                                    run_.state());
+      }
+    const auto after_step = [&](const SlidingRun<dim> &now) {
+      if (output)
+        output->step(now);
+      show_step(now, progress);
+    };
+    const auto kept = [&]() -> std::string {
+      if (!output || parameters().mesh.adaptive_levels > 0)
+        return "";
+      return kept_state(*output, run_, parameters().output.directory);
+    };
     try
       {
-        run_.run([&](const SlidingRun<dim> &now) {
-          output->step(now);
-          show_step(now, progress);
-        });
+        run_.run(after_step);
+      }
+    catch (const SharedError &error)
+      {
+        throw SharedError(error.what() + kept());
       }
     catch (const ComputationError &error)
       {
-        throw ComputationError(
-          error.what() +
-          (parameters().mesh.adaptive_levels > 0 ?
-             "" :
-             kept_state(*output, run_, parameters().output.directory)));
+        throw ComputationError(error.what() + kept());
       }
   }
 
@@ -160,7 +188,8 @@ namespace asperity
     std::vector<std::string> all = notes_;
     for (const auto &list : {this->warnings(), warnings})
       all.insert(all.end(), list.begin(), list.end());
-    output->finish(run_, audited_.audit, accuracy, all, seconds);
+    if (output)
+      output->finish(run_, audited_.audit, accuracy, all, seconds);
   }
 
 

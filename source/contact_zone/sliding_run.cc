@@ -98,11 +98,12 @@ namespace asperity
       {
         ++cuts;
         if (++halvings > parameters.solver.maximum_cuts)
-          throw ComputationError(
-            "Step " + std::to_string(state_.step + 1) + " at t = " +
-            format_quantity(state_.time, "us", 4) + " failed after " +
-            std::to_string(halvings - 1) + " cuts, at a step of " +
-            format_quantity(dt, "ns", 3) + ": " + reason + "." + remedies());
+          throw SharedError("Step " + std::to_string(state_.step + 1) +
+                            " at t = " + format_quantity(state_.time, "us", 4) +
+                            " failed after " + std::to_string(halvings - 1) +
+                            " cuts, at a step of " +
+                            format_quantity(dt, "ns", 3) + ": " + reason + "." +
+                            remedies());
         dt *= 0.5;
       }
   }

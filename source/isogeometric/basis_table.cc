@@ -268,9 +268,10 @@ namespace asperity
 
   template <int dim>
   BasisTable<dim>
-  tabulate_cells(const SplineSpace<dim>        &space,
-                 const PatchGeometry<dim>      &geometry,
-                 const dealii::Quadrature<dim> &quadrature)
+  tabulate_cells(const SplineSpace<dim>                        &space,
+                 const PatchGeometry<dim>                      &geometry,
+                 const dealii::Quadrature<dim>                 &quadrature,
+                 const std::function<bool(const unsigned int)> &wanted)
   {
     BasisTable<dim> table;
     table.points_per_element = quadrature.size();
@@ -286,7 +287,8 @@ namespace asperity
       {
         auto &element = table.elements[cell];
         element.cell  = cell;
-        rows.resize(space.cell_functions(cell).size());
+        rows.resize(
+          !wanted || wanted(cell) ? space.cell_functions(cell).size() : 0);
         std::iota(rows.begin(), rows.end(), 0);
         evaluator.evaluate(rows, element, table, jacobians);
 
@@ -370,7 +372,8 @@ namespace asperity
   template BasisTable<2>
   tabulate_cells(const SplineSpace<2> &,
                  const PatchGeometry<2> &,
-                 const dealii::Quadrature<2> &);
+                 const dealii::Quadrature<2> &,
+                 const std::function<bool(const unsigned int)> &);
   template BasisTable<2>
   tabulate_edge(const SplineSpace<2> &,
                 const PatchGeometry<2> &,
@@ -383,7 +386,8 @@ namespace asperity
   template BasisTable<3>
   tabulate_cells(const SplineSpace<3> &,
                  const PatchGeometry<3> &,
-                 const dealii::Quadrature<3> &);
+                 const dealii::Quadrature<3> &,
+                 const std::function<bool(const unsigned int)> &);
   template BasisTable<3>
   tabulate_edge(const SplineSpace<3> &,
                 const PatchGeometry<3> &,

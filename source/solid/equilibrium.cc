@@ -26,11 +26,14 @@ namespace asperity
   Equilibrium::Equilibrium(const unsigned int                       n_dofs,
                            const std::vector<ForceTerm *>          &terms,
                            const dealii::AffineConstraints<double> &constraints,
-                           const DirectSolverKind                   solver_kind)
-    : terms(terms)
+                           const DirectSolverKind                   solver_kind,
+                           const SharedSystem                      &shared)
+    : shared(shared)
+    , terms(terms)
     , constraints(constraints)
-    , solver(make_direct_solver(solver_kind))
-    , solver_is_symmetric(solver_kind == DirectSolverKind::cholmod)
+    , solver(make_direct_solver(solver_kind, shared))
+    , solver_is_symmetric(is_for_symmetric(solver_kind))
+    , unsymmetric(shared.ranks)
     , support(dealii::numbers::invalid_unsigned_int)
     , load(n_dofs)
     , inertia_constant(n_dofs)
@@ -67,9 +70,8 @@ namespace asperity
         matrix        = 0.;
         matrix_is_new = true;
       }
-    for (ForceTerm *term : terms)
-      if (!term->add(u, R, with_tangent ? &matrix : nullptr))
-        return false;
+    if (!add_terms(u, R, with_tangent ? &matrix : nullptr))
+      return false;
     if (with_tangent)
       collect_parts();
     R -= load;
@@ -89,6 +91,25 @@ namespace asperity
       }
     constraints.set_zero(R);
     cost_.assembly += timer.wall_time();
+    return true;
+  }
+
+
+
+  bool
+  Equilibrium::add_terms(const Vector                 &u,
+                         Vector                       &R,
+                         dealii::SparseMatrix<double> *tangent)
+  {
+    const Ranks &ranks  = shared.ranks;
+    bool         exists = true;
+    // Terms may be collective: where one fails on a rank, all go on.
+    for (ForceTerm *term : terms)
+      if (exists || ranks.are_several())
+        exists = term->add(u, R, tangent) && exists;
+    if (!ranks.all(exists))
+      return false;
+    ranks.sum(R.begin(), R.size());
     return true;
   }
 
@@ -212,7 +233,10 @@ namespace asperity
   Equilibrium::solve_with_fallback(Vector &b)
   {
     if (!fallback)
-      fallback = make_direct_solver(DirectSolverKind::umfpack);
+      fallback = make_direct_solver(shared.ranks.are_several() ?
+                                      DirectSolverKind::mumps :
+                                      DirectSolverKind::umfpack,
+                                    shared);
     dealii::SparseMatrix<double> sum(pattern);
     sum.copy_from(matrix);
     unsymmetric.add_to(sum, constraints);
@@ -268,8 +292,10 @@ namespace asperity
     if (!assemble(u, R, true))
       return false;
     matrix.vmult(coupling, increment);
-    dense_part.vmult_add(coupling, increment);
+    if (shared.ranks.is_first()) // every rank has all of it
+      dense_part.vmult_add(coupling, increment);
     unsymmetric.vmult_add(coupling, increment);
+    shared.ranks.sum(coupling.begin(), coupling.size());
     R += coupling;
     constraints.set_zero(R);
     Vector d(u.size());
@@ -296,10 +322,7 @@ namespace asperity
   Equilibrium::forces(const Vector &u, Vector &R)
   {
     R = 0.;
-    for (ForceTerm *term : terms)
-      if (!term->add(u, R, nullptr))
-        return false;
-    return true;
+    return add_terms(u, R, nullptr);
   }
 
 

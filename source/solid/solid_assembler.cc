@@ -65,15 +65,18 @@ namespace asperity
     const PatchGeometry<dim>               &geometry,
     std::shared_ptr<const MaterialLaw>      law,
     const Kinematics                        kinematics,
-    const unsigned int                      n_quadrature)
+    const unsigned int                      n_quadrature,
+    const CellShare                        &share)
     : space_(std::move(space))
     , law_(std::move(law))
     , kinematics(kinematics)
-    , table_(tabulate_cells(*space_,
-                            geometry,
-                            dealii::QGauss<dim>(n_quadrature > 0 ?
-                                                  n_quadrature :
-                                                  space_->degree() + 1)))
+    , share(share)
+    , table_(tabulate_cells(
+        *space_,
+        geometry,
+        dealii::QGauss<dim>(n_quadrature > 0 ? n_quadrature :
+                                               space_->degree() + 1),
+        [&share](const unsigned int cell) { return share.is_own(cell); }))
     , old_history(table_.JxW.size())
     , new_history(table_.JxW.size())
     , mises(table_.JxW.size(), 0.)
@@ -196,6 +199,8 @@ namespace asperity
       scatter.find(tangent->get_sparsity_pattern(), dofs);
     for (unsigned int e = 0; e < table_.elements.size(); ++e)
       {
+        if (!share.is_own(e))
+          continue;
         if (!integrate(e, u, tangent != nullptr, s))
           return false;
         for (unsigned int i = 0; i < dofs[e].size(); ++i)
@@ -222,6 +227,8 @@ namespace asperity
   void
   SolidAssembler<dim>::accept()
   {
+    share.ranks.share(share.owner, new_history);
+    share.ranks.share(share.owner, mises);
     old_history = new_history;
   }
 
@@ -236,7 +243,7 @@ namespace asperity
       largest =
         std::max(largest,
                  new_history[q].plastic_strain - old_history[q].plastic_strain);
-    return largest;
+    return share.ranks.largest(largest);
   }
 
 

@@ -45,8 +45,13 @@ namespace asperity
   {
     if (entries.size() != dofs.size())
       return false;
-    for (std::size_t e = 0; e < n_elements; ++e)
+    for (std::size_t e = 0, n_found = 0;
+         e < dofs.size() && n_found < n_elements;
+         ++e)
       {
+        if (dofs[e].empty())
+          continue;
+        ++n_found;
         // First row, last function; last row, first function.
         const std::size_t n = dofs[e].size() / dim, per_row = n - 1 + dim;
         if (pattern(dofs[e].front(),

@@ -1,10 +1,5 @@
 #include <asperity/base/errors.h>
-#include <asperity/base/mpi_session.h>
 #include <asperity/solvers/direct_solver.h>
-
-#include <deal.II/lac/trilinos_solver.h>
-#include <deal.II/lac/trilinos_sparse_matrix.h>
-#include <deal.II/lac/trilinos_vector.h>
 
 #include <suitesparse/klu.h>
 #include <suitesparse/umfpack.h>
@@ -15,6 +10,7 @@
 #include <vector>
 
 #include "compressed_rows.h"
+#include "rank_solvers.h"
 #include "supernodal_cholesky.h"
 #include "supernodal_lu.h"
 
@@ -240,71 +236,25 @@ namespace asperity
       klu_symbolic      *symbolic = nullptr;
       klu_numeric       *numeric  = nullptr;
     };
-
-    /** MPI, started before the members that follow this one. */
-    struct StartedMpi
-    {
-      StartedMpi()
-      {
-        MpiSession::start();
-      }
-    };
-
-
-
-    /** MUMPS through Amesos; the wrapper repeats the analysis every time. */
-    class Mumps : public DirectSolver
-    {
-    public:
-      void
-      reset() override
-      {}
-
-      bool
-      factorize(const dealii::SparseMatrix<double> &matrix) override
-      {
-        try
-          {
-            // Amesos keeps pointers into the matrix: the old solver goes first.
-            solver.reset();
-            trilinos_matrix.reinit(matrix);
-            solver = std::make_unique<dealii::TrilinosWrappers::SolverDirect>(
-              control,
-              dealii::TrilinosWrappers::SolverDirect::AdditionalData(
-                false, "Amesos_Mumps"));
-            solver->initialize(trilinos_matrix);
-          }
-        catch (const dealii::ExceptionBase &)
-          {
-            return false;
-          }
-        return true;
-      }
-
-      void
-      solve(dealii::Vector<double> &rhs) const override
-      {
-        const dealii::IndexSet all = dealii::complete_index_set(rhs.size());
-        dealii::TrilinosWrappers::MPI::Vector b(all, MPI_COMM_SELF),
-          x(all, MPI_COMM_SELF);
-        std::copy(rhs.begin(), rhs.end(), b.begin());
-        solver->solve(x, b);
-        std::copy(x.begin(), x.end(), rhs.begin());
-      }
-
-    private:
-      StartedMpi                                              mpi;
-      dealii::SolverControl                                   control;
-      dealii::TrilinosWrappers::SparseMatrix                  trilinos_matrix;
-      std::unique_ptr<dealii::TrilinosWrappers::SolverDirect> solver;
-    };
   } // namespace
 
 
 
   std::unique_ptr<DirectSolver>
-  make_direct_solver(const DirectSolverKind kind)
+  make_direct_solver(const DirectSolverKind kind, const SharedSystem &shared)
   {
+    switch (kind)
+      {
+        case DirectSolverKind::mumps:
+        case DirectSolverKind::mumps_symmetric:
+          return make_mumps(is_for_symmetric(kind), shared.ranks);
+        case DirectSolverKind::krylov:
+          return make_krylov_solver(shared);
+        default:
+          if (shared.ranks.are_several())
+            throw ComputationError("A direct solver for one rank was asked to "
+                                   "work on several.");
+      }
     switch (kind)
       {
         case DirectSolverKind::cholmod:
@@ -313,8 +263,6 @@ namespace asperity
           return std::make_unique<Supernodal<SupernodalLu>>();
         case DirectSolverKind::klu:
           return std::make_unique<Klu>();
-        case DirectSolverKind::mumps:
-          return std::make_unique<Mumps>();
         default:
           return std::make_unique<Umfpack>();
       }

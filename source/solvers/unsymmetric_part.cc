@@ -30,6 +30,12 @@ namespace asperity
 
 
 
+  UnsymmetricPart::UnsymmetricPart(const Ranks &ranks)
+    : ranks(ranks)
+  {}
+
+
+
   void
   UnsymmetricPart::clear()
   {
@@ -53,7 +59,7 @@ namespace asperity
   bool
   UnsymmetricPart::empty() const
   {
-    return entries.empty();
+    return ranks.all(entries.empty());
   }
 
 
@@ -101,6 +107,7 @@ namespace asperity
       K_inverse(x);
       y = 0.;
       vmult_add(y, x);
+      ranks.sum(y.begin(), y.size());
       constraints.set_zero(y);
       y += z;
     };

@@ -14,6 +14,7 @@ namespace
 
   const DirectSolverKind kinds[] = {DirectSolverKind::umfpack,
                                     DirectSolverKind::klu,
+                                    DirectSolverKind::mumps,
                                     DirectSolverKind::supernodal_lu};
 
   constexpr unsigned int n = 60;

@@ -78,6 +78,10 @@ namespace asperity
    * equations 15 and 16) it differs by the stretch, which multiplies the
    * penalty only. L. De Lorenzis, I. Temizer, P. Wriggers, G. Zavarise, IJNME
    * 87 (2011) 1278-1300.
+   *
+   * On several ranks each searches the closest points of its own elements, and
+   * adds their forces; the state of the interface is complete on every rank,
+   * so that add() is collective.
    */
   template <int dim>
   class ContactAssembler : public ForceTerm
@@ -87,7 +91,8 @@ namespace asperity
                      const PatchGeometry<dim>                 &geometry,
                      const Edge                                edge,
                      std::shared_ptr<const RigidObstacle<dim>> obstacle,
-                     const ContactOptions                     &options);
+                     const ContactOptions                     &options,
+                     const CellShare &share = CellShare());
 
     ContactAssembler(const ContactAssembler &) = delete;
     ContactAssembler &
@@ -171,8 +176,13 @@ namespace asperity
     shear() const;
 
   private:
+    /** Where the points are, and their gaps. */
     void
     measure(const dealii::Vector<double> &u);
+
+    /** What the ranks have measured becomes known to all. */
+    void
+    share_measured();
 
     void
     set_pressures();
@@ -192,6 +202,7 @@ namespace asperity
     ContactOptions                            options_;
     ContactPressureLaw                        law;
     BasisTable<dim>                           table_;
+    CellShare                                 share; ///< of table_'s elements
     TractionSpace<dim>                        tractions;
     std::optional<ShearTraction<dim>>         shear_;
     dealii::SparsityPattern                   shear_couplings;

@@ -1,7 +1,7 @@
 #ifndef asperity_contact_traction_space_h
 #define asperity_contact_traction_space_h
 
-#include <asperity/isogeometric/basis_table.h>
+#include <asperity/isogeometric/cell_partition.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/sparse_matrix.h>
@@ -25,6 +25,9 @@ namespace asperity
    * points each is 1 at its point and 0 at the others. What the kinematics say
    * at the points of the table reaches a traction through the mean
    * <v>_a = int psi_a v / W_a, W_a = int psi_a.
+   *
+   * On several ranks tractions and means are complete on each of them, but a
+   * tangent is that of the tractions and points that are this process's own.
    */
   template <int dim>
   class TractionSpace
@@ -32,11 +35,13 @@ namespace asperity
   public:
     using Vectors = std::vector<dealii::Tensor<1, dim>>;
 
-    /** @param table of the edge, which must outlive this object */
+    /** @param table of the edge, which must outlive this object
+     *  @param share which cells are this process's own */
     TractionSpace(const SplineSpace<dim>  &space,
                   const BasisTable<dim>   &table,
                   const Edge               edge,
-                  const ContactFormulation formulation);
+                  const ContactFormulation formulation,
+                  const CellShare         &share = CellShare());
 
     /** Number of tractions. */
     unsigned int
@@ -44,6 +49,13 @@ namespace asperity
 
     ContactFormulation
     formulation() const;
+
+    /** Whether an element of the table is this process's own. */
+    bool
+    is_own(const unsigned int element) const
+    {
+      return own_elements[element];
+    }
 
     /** <v>_a of values at the points. */
     std::vector<double>
@@ -83,7 +95,8 @@ namespace asperity
                   dealii::SparseMatrix<double> &tangent) const;
 
   private:
-    /** f_a/W_a (int N_b psi_a v), [a][slot of b]; empty where f_a = 0. */
+    /** f_a/W_a (int N_b psi_a v), [a][slot of b]; empty where f_a = 0, and
+     *  where a is another rank's. */
     std::vector<Vectors>
     moments(const std::vector<double> &factors, const Vectors &v) const;
 
@@ -105,6 +118,9 @@ namespace asperity
     std::vector<std::vector<unsigned int>> element_functions; ///< edge indices
     std::vector<std::vector<unsigned int>> element_columns; ///< into table rows
     std::vector<std::vector<unsigned int>> neighbours; ///< overlapping supports
+
+    std::vector<bool> own_elements;
+    std::vector<bool> own_functions; ///< by edge index: of the first element
 
     std::vector<double> weight; ///< W_a [m^(dim - 1)]
   };

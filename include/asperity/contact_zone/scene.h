@@ -8,6 +8,7 @@
 #include <asperity/contact_zone/surface.h>
 #include <asperity/contact_zone/surface_layer.h>
 #include <asperity/coupling/gap_flow.h>
+#include <asperity/isogeometric/cell_partition.h>
 #include <asperity/lubricant/lubricant.h>
 #include <asperity/solid/equilibrium.h>
 #include <asperity/solid/solid_assembler.h>
@@ -32,15 +33,19 @@ namespace asperity
    * x and y that the load says. A profile is extruded along the
    * direction across, and everything counts per metre of it.
    *
-   * In three dimensions there is no oil and no conduction of heat.
+   * In three dimensions there is no oil and no conduction of heat, and several
+   * ranks may share the cells of a chip: everything is on each of them, but the
+   * integrals over cells and over the contact face, and the tangent.
    */
   template <int dim>
   class Scene
   {
   public:
-    /** @throws InputError if surfaces, mesh or oil cannot be made of the
-     *  parameters */
-    explicit Scene(const SceneParameters &parameters);
+    /** @param ranks that share it
+     *  @throws InputError if surfaces, mesh or oil cannot be made of the
+     *    parameters */
+    explicit Scene(const SceneParameters &parameters,
+                   const Ranks           &ranks = Ranks());
 
     ~Scene();
 
@@ -115,6 +120,20 @@ namespace asperity
     adapt_mesh(const SceneParameters                      &parameters,
                const typename SplineSpace<dim>::CellLevel &wanted);
 
+    /** The solver of the tangent: that of the parameters, or for `automatic`
+     * the one that suits the size. */
+    DirectSolverKind
+    linear_solver() const;
+
+    /** Which rank has which cell. */
+    const CellShare &
+    share() const;
+
+    /** Work of the rank that has most of it over the mean, by the weights of
+     * the cells. */
+    double
+    imbalance() const;
+
     double length;     ///< period L along x [m]
     double width = 1.; ///< period W along y [m]; 1 in two dimensions
 
@@ -183,7 +202,25 @@ namespace asperity
     build_flow(const SceneParameters &parameters);
 
     void
-    build_equilibrium(const DirectSolverKind linear_solver);
+    build_equilibrium();
+
+    /** Chooses the solver of a mesh of so many elements.
+     *  @throws InputError if it does not run on the ranks, or if the memory
+     *    that all of it takes is not there */
+    void
+    choose_solver(const SceneParameters &parameters, const double n_elements);
+
+    /** Divides the cells between the ranks. */
+    void
+    build_share();
+
+    /** The rigid motions of the chip, as displacements. */
+    std::vector<dealii::Vector<double>>
+    rigid_motions() const;
+
+    CellShare        share_;
+    double           imbalance_     = 1.;
+    DirectSolverKind linear_solver_ = DirectSolverKind::cholmod;
 
     dealii::Vector<double> initial_unknowns_;
 
@@ -207,6 +244,14 @@ namespace asperity
   template <>
   void
   Scene<3>::build_surfaces(const SceneParameters &parameters);
+  template <>
+  void
+  Scene<2>::choose_solver(const SceneParameters &parameters,
+                          const double           n_elements);
+  template <>
+  void
+  Scene<3>::choose_solver(const SceneParameters &parameters,
+                          const double           n_elements);
   template <>
   double
   Scene<2>::gap_scale(const SceneParameters &parameters) const;
@@ -233,10 +278,13 @@ namespace asperity
   double
   numbers_in_factor(const double n_elements, const unsigned int degree);
 
-  /** Memory of the patch [bytes]: of two factors, and of tables, pattern and
-   *  matrices as scenes of these meshes took them. */
+  /** Memory of the patch [bytes]: of tables, pattern and matrices as scenes of
+   *  these meshes took them, and of two factors, or of a second matrix and its
+   *  coarser levels where the solver iterates. */
   double
-  patch_memory(const double n_elements, const unsigned int degree);
+  patch_memory(const double           n_elements,
+               const unsigned int     degree,
+               const DirectSolverKind solver = DirectSolverKind::cholmod);
 
   /** Whether a cell whose upper edge is so deep [m] belongs to the strip of a
    *  level below the contact edge. */

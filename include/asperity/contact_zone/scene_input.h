@@ -45,10 +45,11 @@ namespace asperity
   {
     /** @throws InputError if no scene can be made of the parameters, which
      *    shows only when surfaces are read and meshes are built */
-    explicit AuditedScene(SceneParameters &parameters);
+    explicit AuditedScene(SceneParameters &parameters,
+                          const Ranks     &ranks = Ranks());
 
     /** The scene of a file, which errors name. */
-    explicit AuditedScene(SceneInput &input);
+    explicit AuditedScene(SceneInput &input, const Ranks &ranks = Ranks());
 
     std::unique_ptr<Scene<dim>> scene;
     SceneAudit                  audit;

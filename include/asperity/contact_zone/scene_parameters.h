@@ -250,7 +250,7 @@ namespace asperity
     double           tolerance          = 1e-4; ///< of p L (p L W of a patch)
     unsigned int     maximum_iterations = 20;
     unsigned int     maximum_cuts       = 8;
-    DirectSolverKind linear_solver      = DirectSolverKind::cholmod;
+    DirectSolverKind linear_solver      = DirectSolverKind::automatic;
 
     void
     declare(ParameterDeclarator &parameters);

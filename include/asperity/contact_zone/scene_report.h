@@ -24,6 +24,16 @@ namespace asperity
               const HeatModel   heat,
               const bool        explain);
 
+  /** The solver of the tangent, as the parameters name it. */
+  std::string
+  name_of_solver(const DirectSolverKind kind);
+
+  /** The solver and the ranks of a scene in three dimensions; nothing in two.
+   */
+  template <int dim>
+  void
+  print_ranks(const Scene<dim> &scene);
+
   /** The entries that the models do not read, by what they count with. */
   void
   print_unused(const std::vector<UnusedEntry> &entries);

@@ -26,20 +26,25 @@ namespace asperity
      * Builds the scene, and loads the checkpoint if the file asks for one;
      * writes nothing.
      * @param changes entries that are set after the file has been read
+     * @param ranks that compute it together; the first one writes
      * @throws InputError if the file is wrong or there is no checkpoint
      */
-    explicit SceneRun(const std::string &file, const EntryValues &changes = {});
+    explicit SceneRun(const std::string &file,
+                      const EntryValues &changes = {},
+                      const Ranks       &ranks   = Ranks());
 
-    /** The folder of its results, locked. */
+    /** The folder of its results, locked. Collective, and null on other ranks
+     *  than the first. */
     std::unique_ptr<OutputFolder>
     lock_folder() const;
 
     /** Clears the folder and computes all steps, which are written as they
      *  come.
+     *  @param folder null on other ranks than the first
      *  @throws ComputationError if a step fails; it names the last good state,
      *    which is kept */
     void
-    compute(const OutputFolder &folder, ProgressLine &progress);
+    compute(const OutputFolder *folder, ProgressLine &progress);
 
     /** Writes the summary, with warnings of the run and these.
      *  @param seconds that all of it has taken */
@@ -74,6 +79,7 @@ namespace asperity
     void
     restart();
 
+    Ranks                             ranks;
     SceneInput                        input;
     const AuditedScene<dim>           audited_;
     SlidingRun<dim>                   run_;

@@ -145,12 +145,15 @@ namespace asperity
   };
 
   /** Table for integrals over the cells with a quadrature on the unit cell.
+   *  @param wanted whether a cell's functions are tabulated; elements of other
+   *    cells have none, but their points; empty: all are
    *  @throws ComputationError if the geometry folds at a point (det J <= 0). */
   template <int dim>
   BasisTable<dim>
-  tabulate_cells(const SplineSpace<dim>        &space,
-                 const PatchGeometry<dim>      &geometry,
-                 const dealii::Quadrature<dim> &quadrature);
+  tabulate_cells(const SplineSpace<dim>                        &space,
+                 const PatchGeometry<dim>                      &geometry,
+                 const dealii::Quadrature<dim>                 &quadrature,
+                 const std::function<bool(const unsigned int)> &wanted = {});
 
   /**
    * Table for integrals over one edge, elements in the order of edge_cells().

@@ -30,6 +30,11 @@ namespace asperity
    *
    * With inertia the residual is that of the generalized-alpha method,
    * factor M u + constant + static_weight (sum of terms - load).
+   *
+   * On several ranks each has terms of a part of the body, and the sum over the
+   * terms is one over the ranks, too. Vectors are the same on all of them, the
+   * matrix that a rank holds is its part of the tangent, and everything that
+   * needs the balance is collective. There is no inertia then.
    */
   class Equilibrium : public NonlinearSystem
   {
@@ -39,12 +44,15 @@ namespace asperity
      * @param terms the contributions; they must outlive this object
      * @param constraints closed; each line prescribes a component of u, whose
      * values prescribe() takes; inhomogeneities are not read
+     * @param shared the ranks that have the other parts of the terms, and what
+     * a solver wants to know of the unknowns
      * @throws ComputationError if a line couples components
      */
     Equilibrium(const unsigned int                       n_dofs,
                 const std::vector<ForceTerm *>          &terms,
                 const dealii::AffineConstraints<double> &constraints,
-                const DirectSolverKind solver = DirectSolverKind::umfpack);
+                const DirectSolverKind solver = DirectSolverKind::umfpack,
+                const SharedSystem    &shared = SharedSystem());
 
     bool
     residual(const dealii::Vector<double> &u,
@@ -119,6 +127,13 @@ namespace asperity
              dealii::Vector<double>       &R,
              const bool                    with_tangent);
 
+    /** Adds all terms of all ranks to R and those of this one to its part of
+     *  the tangent, if there is any. @return false if there is no residual */
+    bool
+    add_terms(const dealii::Vector<double> &u,
+              dealii::Vector<double>       &R,
+              dealii::SparseMatrix<double> *tangent);
+
     /** Of the matrix. @return false if it is singular */
     bool
     factorize();
@@ -137,6 +152,7 @@ namespace asperity
     bool
     solve_with_fallback(dealii::Vector<double> &b);
 
+    SharedSystem                      shared;
     std::vector<ForceTerm *>          terms;
     dealii::AffineConstraints<double> constraints;
     dealii::SparsityPattern           pattern;

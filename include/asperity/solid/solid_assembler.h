@@ -2,6 +2,7 @@
 #define asperity_solid_solid_assembler_h
 
 #include <asperity/constitutive/material_law.h>
+#include <asperity/isogeometric/cell_partition.h>
 #include <asperity/isogeometric/spline_space.h>
 #include <asperity/solid/deformable_body.h>
 #include <asperity/solid/element_gradients.h>
@@ -32,17 +33,23 @@ namespace asperity
    *
    * The history at the end of the step is rewritten by every call; accept()
    * makes it the start of the next step.
+   *
+   * On several ranks each adds what its own cells give. The table has the
+   * functions of these cells only; histories and stresses are complete on every
+   * rank after accept(), which is collective then.
    */
   template <int dim>
   class SolidAssembler : public DeformableBody
   {
   public:
-    /** @param n_quadrature Gauss points per direction; 0 means degree + 1 */
+    /** @param n_quadrature Gauss points per direction; 0 means degree + 1
+     *  @param share which cells are this process's own */
     SolidAssembler(std::shared_ptr<const SplineSpace<dim>> space,
                    const PatchGeometry<dim>               &geometry,
                    std::shared_ptr<const MaterialLaw>      law,
                    const Kinematics   kinematics   = Kinematics::plane_strain,
-                   const unsigned int n_quadrature = 0);
+                   const unsigned int n_quadrature = 0,
+                   const CellShare   &share        = CellShare());
 
     void
     add_couplings(dealii::DynamicSparsityPattern &pattern) const override;
@@ -65,7 +72,7 @@ namespace asperity
     initialize(const MaterialState &state);
 
     /** Growth of the equivalent plastic strain from the start of the step to
-     *  its end, at the point where it is largest. */
+     *  its end, at the point where it is largest; collective. */
     double
     largest_strain_increment() const;
 
@@ -121,6 +128,7 @@ namespace asperity
     std::shared_ptr<const SplineSpace<dim>> space_;
     std::shared_ptr<const MaterialLaw>      law_;
     Kinematics                              kinematics;
+    CellShare                               share;
     BasisTable<dim>                         table_;
 
     /** Of each element, in growing order: [dim a + component]. */

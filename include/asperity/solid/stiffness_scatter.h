@@ -22,7 +22,8 @@ namespace asperity
      *  stand where they were found last: then the pattern is the same. In the
      *  place and of the size of the last one, the first element decides.
      *  @param dofs unknowns of each element, [dim a + component], those of a
-     *   function one after the other and in rising order */
+     *   function one after the other and in rising order; none where an element
+     *   is not added */
     void
     find(const dealii::SparsityPattern                &pattern,
          const std::vector<std::vector<unsigned int>> &dofs);

@@ -1,6 +1,8 @@
 #ifndef asperity_solvers_unsymmetric_part_h
 #define asperity_solvers_unsymmetric_part_h
 
+#include <asperity/base/ranks.h>
+
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/vector.h>
@@ -16,11 +18,16 @@ namespace asperity
    * never applied: (1 + U K^-1) z = b, x = K^-1 z. It pays where U couples few
    * unknowns, as the shear of a contact, since a Cholesky factorisation costs a
    * third of one without symmetry.
+   *
+   * On several ranks U is the sum of what each of them has added, vectors are
+   * the same on all, and what needs all of U is collective.
    */
   class UnsymmetricPart
   {
   public:
     using Vector = dealii::Vector<double>;
+
+    explicit UnsymmetricPart(const Ranks &ranks = Ranks());
 
     /** Forgets all matrices. */
     void
@@ -30,6 +37,7 @@ namespace asperity
     void
     add(const dealii::SparseMatrix<double> &matrix);
 
+    /** Collective. */
     bool
     empty() const;
 
@@ -37,12 +45,12 @@ namespace asperity
     void
     scale(const double factor);
 
-    /** y += U x */
+    /** y += U x with what this process has added. */
     void
     vmult_add(Vector &y, const Vector &x) const;
 
-    /** Adds U to a matrix whose pattern has its entries, but for those in
-     *  constrained rows and columns. */
+    /** Adds what this process has added to a matrix whose pattern has its
+     * entries, but for those in constrained rows and columns. */
     void
     add_to(dealii::SparseMatrix<double>            &matrix,
            const dealii::AffineConstraints<double> &constraints) const;
@@ -51,6 +59,7 @@ namespace asperity
     using Action = std::function<void(Vector &)>;
 
     /**
+     * Collective.
      * @param K_inverse by the factorisation of K
      * @param b right-hand side, zero at constrained components; becomes the
      *   solution
@@ -70,6 +79,7 @@ namespace asperity
       double       value;
     };
 
+    Ranks              ranks;
     std::vector<Entry> entries; ///< those that are not zero
   };
 } // namespace asperity

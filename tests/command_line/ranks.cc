@@ -1,0 +1,103 @@
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+
+#include "program.h"
+
+// A scene in three dimensions on several ranks, with contact, shear of the
+// interface and plastic flow. Expected is what one rank finds.
+
+using namespace asperity;
+
+namespace
+{
+  class RanksOfScene : public Program
+  {
+  protected:
+    /** Hills over a coarse chip. */
+    std::string
+    scene(const std::string &directory, const std::string &further = "") const
+    {
+      return "subsection Geometry\n set Dimension = 3\n set Period = 5 um\n"
+             " set Width = 5 um\n set Chip height = 3 um\nend\n"
+             "subsection Tool\n set Kind = harmonics\n"
+             " set Wave numbers = 1, 1\n set Wave numbers across = 1, -1\n"
+             " set Amplitudes = 0.1 um, 0.05 um\n set Phases = 0 rad, 1 rad\n"
+             "end\nsubsection Mesh\n set Spans = 6\n"
+             " set Refinement levels = 0\n"
+             " set Row grading = 2.5\nend\n"
+             "subsection Interface\n set Shear law = Coulomb\n"
+             " set Friction coefficient = 0.1\nend\n"
+             "subsection Protocol\n set Inertia = quasi-static\n"
+             " set Ramp steps = 1\n set Slide steps = 2\nend\n"
+             "subsection Solver\n set Tolerance = 1e-7\n" +
+             further + "end\nsubsection Output\n set Picture interval = 0\n" +
+             " set Checkpoint interval = 2\n set Output directory = " +
+             directory + "\n";
+    }
+
+    nlohmann::json
+    summary(const std::string &directory) const
+    {
+      return nlohmann::json::parse(read(directory + "/summary.json"));
+    }
+
+    /** The run of a new scene or of a restart. */
+    void
+    compute(const std::string &directory,
+            const std::string &launcher,
+            const std::string &further = "",
+            const std::string &output  = "") const
+    {
+      write(directory + ".prm", scene(directory, further) + output + "end\n");
+      const Result result = run(directory + ".prm", launcher);
+      ASSERT_EQ(result.status, 0) << result.output << result.errors;
+    }
+
+    void
+    expect_equal(const nlohmann::json &a,
+                 const nlohmann::json &b,
+                 const double          tolerance) const
+    {
+      for (const char *name : {"mu", "interface_shear", "mu_end", "T_y"})
+        {
+          const double expected = b["friction"][name];
+          EXPECT_NEAR(a["friction"][name],
+                      expected,
+                      tolerance * std::abs(expected))
+            << name;
+        }
+    }
+  };
+} // namespace
+
+
+
+TEST_F(RanksOfScene, find_the_friction_of_one_and_go_on_in_another_number)
+{
+  compute("one", "");
+  const auto one = summary("one");
+  EXPECT_GT(one["friction"]["mu"], 0.1);
+  EXPECT_GT(one["end"]["max_plastic_strain"], 1e-3);
+  EXPECT_EQ(one["cost"]["linear_solver"], "cholmod");
+  compute("two", "mpirun -np 2");
+  const auto two = summary("two");
+  expect_equal(two, one, 1e-8);
+  EXPECT_EQ(two["cost"]["ranks"], 2);
+  EXPECT_EQ(two["cost"]["linear_solver"], "mumps");
+
+  // The checkpoint of two ranks is that of the last step but one, which four
+  // ranks take on two cores: they wait for each other, so it is but one.
+  for (const std::string launcher : {"", "mpirun -np 4"})
+    {
+      std::filesystem::remove_all(folder / "further");
+      std::filesystem::copy(folder / "two",
+                            folder / "further",
+                            std::filesystem::copy_options::recursive);
+      compute("further", launcher, "", " set Restart = true\n");
+      expect_equal(summary("further"), two, 1e-8);
+      EXPECT_EQ(summary("further")["cost"]["ranks"], launcher.empty() ? 1 : 4);
+    }
+}
