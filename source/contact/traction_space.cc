@@ -251,6 +251,13 @@ namespace asperity
                                     const Vectors             &w,
                                     Matrix                    &tangent) const
   {
+    if (dim == 3)
+      {
+        for (unsigned int e = 0; e < table.elements.size(); ++e)
+          if (own_elements[e])
+            add_pointwise_of(e, factors, v, w, tangent);
+        return;
+      }
     for (unsigned int e = 0; e < table.elements.size(); ++e)
       for (unsigned int q = 0; q < table.points_per_element; ++q)
         {
@@ -268,6 +275,47 @@ namespace asperity
                               factor * element.N(q, a) * element.N(q, b) *
                                 v[point][i] * w[point][j]);
         }
+  }
+
+
+
+  template <int dim>
+  void
+  TractionSpace<dim>::add_pointwise_of(const unsigned int         e,
+                                       const std::vector<double> &factors,
+                                       const Vectors             &v,
+                                       const Vectors             &w,
+                                       Matrix                    &tangent) const
+  {
+    const ElementView<dim> element(table, table.elements[e]);
+    const auto            &columns = element_columns[e];
+    const unsigned int     n       = dim * columns.size();
+    std::vector<double>    block;
+    for (unsigned int q = 0; q < table.points_per_element; ++q)
+      {
+        const unsigned int point  = element.point(q);
+        const double       factor = factors[point] * element.JxW(q);
+        if (factor == 0.)
+          continue;
+        block.resize(n * n, 0.);
+        for (unsigned int row = 0; row < n; ++row)
+          {
+            const double of_row =
+              factor * element.N(q, columns[row / dim]) * v[point][row % dim];
+            for (unsigned int column = 0; column < n; ++column)
+              block[n * row + column] += of_row *
+                                         element.N(q, columns[column / dim]) *
+                                         w[point][column % dim];
+          }
+      }
+    if (block.empty())
+      return;
+    std::vector<unsigned int> dofs;
+    for (const unsigned int a : columns)
+      for (unsigned int i = 0; i < dim; ++i)
+        dofs.push_back(element.dof(a, i));
+    for (unsigned int row = 0; row < n; ++row)
+      tangent.add(dofs[row], n, dofs.data(), &block[n * row]);
   }
 
 

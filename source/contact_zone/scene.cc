@@ -59,7 +59,7 @@ namespace asperity
   {
     build_surfaces(parameters);
     build_mesh(parameters);
-    build_share();
+    build_share(parameters);
     law = parameters.make_law();
     build_chip(parameters);
     build_contact(parameters);

@@ -14,10 +14,16 @@ namespace asperity
      *  dimensions. */
     constexpr double largest_mesh = 1e5;
 
-    /** Integration with tangent of a cell of 27 functions and points, and the
-     *  search of the closest points of its contact face beside it, as runs of
-     *  hills measured them. */
-    constexpr CellWork work_of_scene{1000, 500};
+    /** Beside the integration of a cell with its tangent: the search of the
+     *  closest points of a face, and the tangent of the shear where a sixth of
+     *  the faces touch, as runs of hills of degree 2 took them. */
+    CellWork
+    work_of(const SceneParameters &parameters)
+    {
+      CellWork work;
+      work.face = parameters.interface.law == InterfaceShear::none ? 600 : 1300;
+      return work;
+    }
 
     std::string
     format_number_of_bytes(const double bytes)
@@ -127,12 +133,12 @@ namespace asperity
 
   template <int dim>
   void
-  Scene<dim>::build_share()
+  Scene<dim>::build_share(const SceneParameters &parameters)
   {
     const unsigned int n = share_.ranks.size();
     if (n < 2)
       return;
-    const auto weights = cell_weights(*space, Edge::top, work_of_scene);
+    const auto weights = cell_weights(*space, Edge::top, work_of(parameters));
     share_.owner       = partition_cells(*space, weights, n);
     imbalance_ = count_partition(*space, weights, share_.owner, n).imbalance;
   }
@@ -206,9 +212,9 @@ namespace asperity
 
 
   template void
-  Scene<2>::build_share();
+  Scene<2>::build_share(const SceneParameters &);
   template void
-  Scene<3>::build_share();
+  Scene<3>::build_share(const SceneParameters &);
   template std::vector<dealii::Vector<double>>
   Scene<2>::rigid_motions() const;
   template std::vector<dealii::Vector<double>>

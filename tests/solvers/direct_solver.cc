@@ -132,3 +132,58 @@ TEST(DirectSolver, follows_a_new_sparsity_pattern_after_reset)
       EXPECT_LT(error_of_solution(*solver, diagonal), 1e-13);
     }
 }
+
+
+
+// Laplace's equation by five points on a square: symmetric and definite.
+TEST(DirectSolver,
+     large_symmetric_systems_are_solved_by_factor_and_by_multigrid)
+{
+  constexpr unsigned int         m = 40;
+  dealii::DynamicSparsityPattern couplings(m * m);
+  const auto for_each_neighbour = [](const unsigned int i, const auto &action) {
+    if (i % m > 0)
+      action(i - 1);
+    if (i % m + 1 < m)
+      action(i + 1);
+    if (i >= m)
+      action(i - m);
+    if (i + m < m * m)
+      action(i + m);
+  };
+  for (unsigned int i = 0; i < m * m; ++i)
+    {
+      couplings.add(i, i);
+      for_each_neighbour(i, [&](const unsigned int j) { couplings.add(i, j); });
+    }
+  dealii::SparsityPattern sparsity;
+  sparsity.copy_from(couplings);
+  Matrix matrix(sparsity);
+  for (unsigned int i = 0; i < m * m; ++i)
+    {
+      matrix.set(i, i, 4.);
+      for_each_neighbour(i,
+                         [&](const unsigned int j) { matrix.set(i, j, -1.); });
+    }
+  SharedSystem shared;
+  shared.near_null_space = []() {
+    Vector one(m * m);
+    one = 1.;
+    return std::vector<Vector>{one};
+  };
+  for (const auto &[kind, tolerance] :
+       {std::pair(DirectSolverKind::mumps_symmetric, 1e-12),
+        std::pair(DirectSolverKind::krylov, 1.01e-6)})
+    {
+      const auto solver = make_direct_solver(kind, shared);
+      ASSERT_TRUE(solver->factorize(matrix));
+      Vector b(m * m);
+      for (unsigned int i = 0; i < m * m; ++i)
+        b(i) = std::cos(0.1 * i);
+      Vector x(b), residual(b);
+      solver->solve(x);
+      matrix.vmult(residual, x);
+      residual -= b;
+      EXPECT_LE(residual.l2_norm(), tolerance * b.l2_norm());
+    }
+}

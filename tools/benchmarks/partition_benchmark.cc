@@ -76,7 +76,7 @@ namespace
   {
     const auto            mesh    = patch(n);
     const SplineSpace<3> &space   = *mesh;
-    const auto            weights = cell_weights(space, Edge::top, {1000, 500});
+    const auto            weights = cell_weights(space, Edge::top, {1000, 600});
     std::cout << "\n"
               << n << " x " << n << " spans at the face, " << space.n_cells()
               << " cells, " << 3 * space.n_functions() << " unknowns\n\n";

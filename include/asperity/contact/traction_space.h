@@ -106,6 +106,15 @@ namespace asperity
                          const Vectors                &w,
                          dealii::SparseMatrix<double> &tangent) const;
 
+    /** The part of an element, added as one block: in three dimensions entries
+     *  are too dear to be looked up for each point. */
+    void
+    add_pointwise_of(const unsigned int            element,
+                     const std::vector<double>    &factors,
+                     const Vectors                &v,
+                     const Vectors                &w,
+                     dealii::SparseMatrix<double> &tangent) const;
+
     /** Calls action(point, a, psi_a) for each value that is not 0. */
     template <typename Action>
     void

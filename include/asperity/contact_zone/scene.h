@@ -212,7 +212,7 @@ namespace asperity
 
     /** Divides the cells between the ranks. */
     void
-    build_share();
+    build_share(const SceneParameters &parameters);
 
     /** The rigid motions of the chip, as displacements. */
     std::vector<dealii::Vector<double>>

@@ -97,6 +97,7 @@ namespace asperity
     add_body_force(const dealii::Tensor<1, dim> &force,
                    dealii::Vector<double>       &external) const;
 
+    /** In three dimensions without the gradients of functions. */
     const BasisTable<dim> &
     table() const;
 
