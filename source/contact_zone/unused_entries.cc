@@ -173,7 +173,8 @@ namespace asperity
          "not: LU in the same order stands in for cholmod",
          [](const SceneParameters &p) {
            return p.lubrication.model != LubricantModel::reynolds ||
-                  p.solver.linear_solver != DirectSolverKind::cholmod;
+                  (p.solver.linear_solver != DirectSolverKind::cholmod &&
+                   p.solver.linear_solver != DirectSolverKind::automatic);
          }}};
     }
 
