@@ -4,7 +4,6 @@
 #include <mpi.h>
 
 #include <algorithm>
-#include <cstring>
 #include <numeric>
 
 namespace asperity

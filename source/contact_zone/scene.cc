@@ -171,34 +171,6 @@ namespace asperity
 
   template <int dim>
   void
-  Scene<dim>::build_equilibrium()
-  {
-    std::vector<ForceTerm *> terms = {chip.get(), contact.get()};
-    if (lubricant)
-      terms.push_back(lubricant.get());
-    // The tangent of a film is symmetric in structure only.
-    const bool symmetric = n_lubricant_unknowns == 0;
-    if (!symmetric && linear_solver_ == DirectSolverKind::cholmod)
-      linear_solver_ = DirectSolverKind::supernodal_lu;
-    SharedSystem shared;
-    shared.ranks           = share_.ranks;
-    shared.n_components    = dim;
-    shared.near_null_space = [this]() { return rigid_motions(); };
-    if (!share_.owner.empty())
-      for (const unsigned int owner : function_owners(*space, share_.owner))
-        shared.row_owner.insert(shared.row_owner.end(), dim, owner);
-    equilibrium = std::make_unique<Equilibrium>(
-      n_unknowns(), terms, constraints_, linear_solver_, shared);
-    // A chip that floats on oil is held by the oil's volume alone.
-    equilibrium->set_support(
-      displacement_dof<dim>(space->edge_functions(Edge::bottom).front(),
-                            dim - 1));
-  }
-
-
-
-  template <int dim>
-  void
   Scene<dim>::build_boundaries()
   {
     constraints_.clear();

@@ -230,9 +230,10 @@ namespace asperity
       "the tangent is indefinite, is the fastest direct one on "
       "one rank, `mumps` the one on several; `krylov`, GMRES "
       "with algebraic multigrid, needs the least memory; "
-      "`automatic` takes a direct one where the memory has room "
-      "for its factor, and else `krylov`. `umfpack` and `klu` "
-      "are for comparison, on one rank.");
+      "`automatic` takes a direct one in two dimensions, and in "
+      "three below 8,000 unknowns where the memory has room for "
+      "its factor, else `krylov`. `umfpack` and `klu` are for "
+      "comparison, on one rank; `krylov` is for three dimensions.");
   }
 
 

@@ -263,8 +263,11 @@ namespace asperity
           return std::make_unique<Supernodal<SupernodalLu>>();
         case DirectSolverKind::klu:
           return std::make_unique<Klu>();
-        default:
+        case DirectSolverKind::umfpack:
           return std::make_unique<Umfpack>();
+        default:
+          throw ComputationError("A linear solver was asked for that nobody "
+                                 "has chosen.");
       }
   }
 } // namespace asperity

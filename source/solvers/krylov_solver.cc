@@ -11,7 +11,6 @@
 #include <ml_MultiLevelPreconditioner.h>
 
 #include <limits>
-#include <numeric>
 #include <vector>
 
 #include "rank_solvers.h"
@@ -50,7 +49,7 @@ namespace asperity
       void
       reset() override
       {
-        own_rows.clear();
+        own_rows = dealii::IndexSet(); // clear() would keep its size
       }
 
       bool
@@ -77,7 +76,7 @@ namespace asperity
               row, columns.size(), columns.data(), values.data(), true);
           }
         matrix.compress(dealii::VectorOperation::add);
-        return shared.ranks.all(finite) && build_multigrid();
+        return shared.ranks.all(finite) && shared.ranks.all(build_multigrid());
       }
 
       void
@@ -102,8 +101,9 @@ namespace asperity
         DistributedVector residual(b);
         matrix.vmult(residual, x);
         residual -= b;
-        const bool solved = residual.l2_norm() <= largest_residual * size;
-        rhs               = 0.;
+        const bool solved =
+          shared.ranks.all(residual.l2_norm() <= largest_residual * size);
+        rhs = 0.;
         for (const auto row : own_rows)
           rhs(row) =
             solved ? double(x(row)) : std::numeric_limits<double>::quiet_NaN();

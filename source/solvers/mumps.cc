@@ -4,6 +4,7 @@
 #include <mpi.h>
 
 #include <exception>
+#include <limits>
 #include <vector>
 
 #include "rank_solvers.h"
@@ -14,6 +15,9 @@ namespace asperity
   {
     // What MUMPS is asked to do.
     constexpr int begin = -1, end = -2, analyse = 1, factorise = 2, solve_ = 3;
+
+    /** Beyond what the analysis expects [per cent]. */
+    constexpr int room_to_spare = 40;
 
     /** Asks for a factor that needs more room than was reserved. */
     constexpr int most_attempts = 6;
@@ -38,8 +42,8 @@ namespace asperity
         call(begin);
         control(1) = control(2) = control(3) = -1; // prints nothing
         control(4)                           = 0;
-        control(18)                          = 3;  // entries on all ranks
-        control(14)                          = 40; // per cent of room to spare
+        control(18)                          = 3; // entries on all ranks
+        control(14)                          = room_to_spare;
       }
 
       ~Mumps() override
@@ -75,6 +79,7 @@ namespace asperity
           }
         if (!is_analysed)
           return false;
+        control(14) = room_to_spare;
         for (int attempt = 0; attempt < most_attempts; ++attempt)
           {
             call(factorise);
@@ -93,6 +98,8 @@ namespace asperity
         id.lrhs = n;
         id.rhs  = rhs.begin();
         call(solve_);
+        if (id.infog[0] < 0)
+          rhs = std::numeric_limits<double>::quiet_NaN(); // no direction
         MPI_Bcast(rhs.begin(), n, MPI_DOUBLE, 0, communicator);
       }
 

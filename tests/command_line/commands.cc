@@ -285,7 +285,8 @@ TEST_F(Commands, a_patch_says_what_its_window_changed_and_where_it_slides)
 TEST_F(Commands, all_linear_solvers_of_a_scene_give_the_same_friction)
 {
   std::string expected;
-  for (const std::string solver : {"cholmod", "umfpack", "klu", "mumps"})
+  for (const std::string solver :
+       {"automatic", "cholmod", "umfpack", "klu", "mumps"})
     {
       write(
         "scene.prm",
@@ -306,4 +307,19 @@ TEST_F(Commands, all_linear_solvers_of_a_scene_give_the_same_friction)
         expected = mu;
       EXPECT_EQ(mu, expected) << solver;
     }
+}
+
+
+
+TEST_F(Commands, krylov_is_for_three_dimensions)
+{
+  write("scene.prm",
+        "subsection Output\n set Output directory = run\nend\n"
+        "subsection Solver\n set Linear solver = krylov\nend\n");
+  const Result result = run("scene.prm");
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.errors.find("found krylov in two dimensions; expected a "
+                               "direct one there"),
+            std::string::npos)
+    << result.errors;
 }

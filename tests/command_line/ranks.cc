@@ -101,3 +101,27 @@ TEST_F(RanksOfScene, find_the_friction_of_one_and_go_on_in_another_number)
       EXPECT_EQ(summary("further")["cost"]["ranks"], launcher.empty() ? 1 : 4);
     }
 }
+
+
+
+TEST_F(RanksOfScene, find_the_same_friction_by_multigrid)
+{
+  compute("one", "");
+  compute("krylov", "mpirun -np 2", " set Linear solver = krylov\n");
+  expect_equal(summary("krylov"), summary("one"), 1e-8);
+  EXPECT_EQ(summary("krylov")["cost"]["linear_solver"], "krylov");
+}
+
+
+
+TEST_F(RanksOfScene, refuse_a_solver_for_one_rank_together)
+{
+  write("scene.prm", scene("out", " set Linear solver = umfpack\n") + "end\n");
+  const Result      result   = run("scene.prm", "mpirun -np 2");
+  const std::string sentence = "found one that runs on one rank, on 2 ranks; "
+                               "expected automatic, mumps or krylov.";
+  EXPECT_EQ(result.status, 2);
+  const auto place = result.errors.find(sentence);
+  ASSERT_NE(place, std::string::npos) << result.errors;
+  EXPECT_EQ(result.errors.find(sentence, place + 1), std::string::npos);
+}

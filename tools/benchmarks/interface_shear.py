@@ -313,7 +313,7 @@ def mesh(arguments):
 
 
 def steps(arguments):
-    print_head("m | steps | off in the mean [%] | least | most | Newton "
+    print_head("m | steps | off in the mean [%] | lowest | highest | Newton "
                "iterations")
     numbers = ((144, 384), (36, 96), (48, 96), (72, 96), (72, 60))
     for m in (0.5, 0.8):
@@ -333,7 +333,7 @@ def steps(arguments):
                 off.append(100. * (mu / mu_finest - 1.))
                 iterations += summary["cost"]["newton_iterations"]
             print(f"| {m} | {ramp} + {slide} | {sum(off) / len(off):+.2f} | "
-                  f"{max(off):+.2f} | {min(off):+.2f} | {iterations} |",
+                  f"{min(off):+.2f} | {max(off):+.2f} | {iterations} |",
                   flush=True)
 
 

@@ -101,7 +101,8 @@ def draw(arguments, rows, means):
                                 squeeze=False)
     for axis, (factor, values) in zip(axes[0], means.items()):
         points = [(ratio, mu) for m, ratio, mu in rows if m == factor]
-        axis.semilogx(*zip(*points), "o-", label="patch")
+        axis.semilogx([ratio for ratio, _ in points],
+                      [mu for _, mu in points], "o-", label="patch")
         axis.axhspan(min(values), max(values), alpha=0.15, color="C1")
         axis.axhline(sum(values) / len(values), color="C1",
                      label="profiles: mean and range")
@@ -136,7 +137,10 @@ def main():
     write_map(path)
     rows, means = [], {}
     for factor in arguments.shear:
-        values = means[factor] = profiles(arguments, path, factor)
+        values = profiles(arguments, path, factor)
+        if not values:
+            continue
+        means[factor] = values
         mean = sum(values) / len(values)
         print(f"m = {factor}: profiles " +
               ", ".join(f"{mu:.4f}" for mu in values) +
