@@ -81,6 +81,7 @@ def profiles(arguments, path, factor):
                    "Mesh/Strip depth": f"{PERIOD / arguments.spans} um",
                    "Tool/Topography/Profile direction": "0 deg",
                    "Tool/Topography/Profile start": "0 um",
+                   "Tool/Topography/Periodic continuation": "none",
                    "Tool/Topography/Profile position": f"{position:.6g} um"}
         summary = run(arguments, f"profile_{i}_m{factor}", entries,
                       arguments.common, may_fail=True)
