@@ -31,24 +31,17 @@ namespace asperity
     };
 
     template <int dim>
-    const SurfaceOf<dim> &
-    rougher_surface(const Scene<dim> &scene)
-    {
-      return peak_to_valley(scene.tool_surface) >=
-                 peak_to_valley(scene.chip_surface) ?
-               scene.tool_surface :
-               scene.chip_surface;
-    }
-
-    template <int dim>
     Asperities
     asperities_of(const Scene<dim> &scene)
     {
-      const SurfaceOf<dim> &rougher = rougher_surface(scene);
-      const double          height  = peak_to_valley(rougher);
+      const double tool   = peak_to_valley(scene.tool_surface),
+                   chip   = peak_to_valley(scene.chip_surface);
+      const double height = std::max(tool, chip);
       // What the splines of flat surfaces leave is round-off.
       if (height < 1e-9 * scene.length)
         return {};
+      const SurfaceOf<dim> &rougher =
+        tool >= chip ? scene.tool_surface : scene.chip_surface;
       return {height, height / rougher.largest_slope()};
     }
 
@@ -68,10 +61,12 @@ namespace asperity
         {
           const double across =
             mesh.n_spans_across(scene.length, scene.width) / scene.width;
-          const SheetSurface &surface = rougher_surface(scene);
-          return asperities.height /
-                 std::max(surface.largest_slope(0) / along,
-                          surface.largest_slope(1) / across);
+          double steepest = 0.; // in heights an element
+          for (const auto *surface : {&scene.tool_surface, &scene.chip_surface})
+            steepest = std::max({steepest,
+                                 surface->largest_slope(0) / along,
+                                 surface->largest_slope(1) / across});
+          return asperities.height / steepest;
         }
     }
 
