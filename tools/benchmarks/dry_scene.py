@@ -30,6 +30,17 @@ FINEST = {"Mesh/Spans": 320, "Mesh/Refinement levels": 4,
           "Contact/Penalty factor": 32}
 
 
+def arguments_of(text):
+    """Parser of a benchmark's command line: its program and its folder."""
+    parser = argparse.ArgumentParser(
+        description=text, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("--asperity",
+                        default=os.path.join(ROOT, "build", "asperity"))
+    parser.add_argument("--to",
+                        default=os.path.join(ROOT, "output", "benchmarks"))
+    return parser
+
+
 def load_case(pressure, velocity, temperature):
     return {"Load/Pressure": f"{pressure} MPa",
             "Load/Velocity": f"{velocity} m/min",
@@ -213,15 +224,10 @@ def chart_cost(arguments, phases, sizes):
 
 
 def main():
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser = arguments_of(__doc__)
     tasks = {"convergence": convergence, "speed": speed, "solvers": solvers,
              "cost": cost}
     parser.add_argument("task", choices=tasks)
-    parser.add_argument("--asperity",
-                        default=os.path.join(ROOT, "build", "asperity"))
-    parser.add_argument("--to", default=os.path.join(ROOT, "output",
-                                                     "benchmarks"))
     arguments = parser.parse_args()
     arguments.to = os.path.abspath(arguments.to)
     os.makedirs(arguments.to, exist_ok=True)

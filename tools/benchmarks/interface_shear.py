@@ -21,14 +21,13 @@ Tables go to the screen in Markdown, runs into FOLDER (default output/benchmarks
 Run it on a quiet machine; compare times within one run only.
 """
 
-import argparse
 import cmath
 import csv
 import math
 import os
 import sys
 
-from dry_scene import ROOT, load_case, print_head, run
+from dry_scene import ROOT, arguments_of, load_case, print_head, run
 
 CASES = [(p, v, T) for p in (300, 1300) for v in (22.5, 200) for T in (25, 675)]
 PERIOD = 10.  # um
@@ -338,12 +337,7 @@ def steps(arguments):
 
 
 def main():
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
-    parser.add_argument("--asperity",
-                        default=os.path.join(ROOT, "build", "asperity"))
-    parser.add_argument("--to",
-                        default=os.path.join(ROOT, "output", "benchmarks"))
+    parser = arguments_of(__doc__)
     tasks = {"wave": wave, "standing": standing, "junction": junction,
              "cases": cases, "mesh": mesh, "steps": steps}
     parser.add_argument("task", choices=tasks)

@@ -14,12 +14,11 @@ The table goes to the screen in Markdown, the chart and the runs into FOLDER
 (default output/benchmarks). A minute or two a patch.
 """
 
-import argparse
 import math
 import os
 import sys
 
-from dry_scene import ROOT, print_head, run
+from dry_scene import ROOT, arguments_of, print_head, run
 
 PERIOD = 5.  # um
 SAMPLES = 50  # a period
@@ -121,12 +120,7 @@ def draw(arguments, rows, means):
 
 
 def main():
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
-    parser.add_argument("--asperity",
-                        default=os.path.join(ROOT, "build", "asperity"))
-    parser.add_argument("--to",
-                        default=os.path.join(ROOT, "output", "benchmarks"))
+    parser = arguments_of(__doc__)
     parser.add_argument("--spans", type=int, default=24)
     parser.add_argument("--shear", type=float, nargs="*", default=[0., 0.5])
     arguments = parser.parse_args()

@@ -15,11 +15,10 @@ The table goes to the screen in Markdown, runs into FOLDER (default
 output/benchmarks). Some ten minutes a run.
 """
 
-import argparse
 import math
 import os
 
-from dry_scene import ROOT, print_head, run
+from dry_scene import ROOT, arguments_of, print_head, run
 
 PERIOD = 4.  # um
 SPACING = 0.05  # um, of the map
@@ -73,12 +72,7 @@ def goddard_wilman(a):
 
 
 def main():
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
-    parser.add_argument("--asperity",
-                        default=os.path.join(ROOT, "build", "asperity"))
-    parser.add_argument("--to",
-                        default=os.path.join(ROOT, "output", "benchmarks"))
+    parser = arguments_of(__doc__)
     parser.add_argument("--spans", type=int, default=24)
     arguments = parser.parse_args()
     arguments.to = os.path.abspath(arguments.to)
