@@ -62,7 +62,7 @@ namespace asperity
     , exchange(contact.table(),
                parameters.heat.tool,
                period,
-               contact.table().elements.size(),
+               contact.table().elements.size() / 2,
                temperature_of_tool(parameters) - start)
     , chip_rise(contact.table().JxW.size(), 0.)
     , tool_rise(chip_rise.size(), temperature_of_tool(parameters) - start)

@@ -1,13 +1,16 @@
 #include <asperity/base/archive.h>
 #include <asperity/base/errors.h>
+#include <asperity/base/neighbours.h>
+#include <asperity/base/vector_widths.h>
 #include <asperity/heat/heat_conduction.h>
 #include <asperity/heat/point_values.h>
 #include <asperity/isogeometric/element_view.h>
 
-#include <deal.II/base/tensor.h>
+#include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace asperity
 {
@@ -63,31 +66,59 @@ namespace asperity
 
   namespace
   {
-    /** Adds integrals over the elements of products of two functions, which are
-     *  symmetric.
-     *  @param integrand adds what a point q of an element gives to the block
-     *    [a * n_functions + b] of its functions, b <= a */
-    template <class Integrand>
+    /** block[a * stride + b] = sum over the rows r of r_a r_b. */
+    ASPERITY_ALL_VECTOR_WIDTHS void
+    sum_products(const unsigned int n_rows,
+                 const unsigned int n,
+                 const unsigned int stride,
+                 const double      *rows,
+                 double            *block)
+    {
+      std::fill(block, block + n * stride, 0.);
+      for (const double *row = rows; row < rows + n_rows * stride;
+           row += stride)
+        for (unsigned int a = 0; a < n; ++a)
+          for (unsigned int b = 0; b < stride; b += neighbours::width)
+            neighbours::at(block + a * stride + b) +=
+              row[a] * neighbours::at(row + b);
+    }
+
+
+
+    /**
+     * Adds integrals over the elements of products of two functions.
+     *
+     * @param n_factors of these products at a point, which are added up
+     * @param write_factors (element, q, row, stride) writes the factors of a
+     *   point, the root of its weight in them: that number f of function a to
+     *   row[f * stride + a]
+     */
+    template <class Factors>
     void
     integrate(const BasisTable<2> &cells,
-              const Integrand     &integrand,
+              const unsigned int   n_factors,
+              const Factors       &write_factors,
               MatrixEntries       &entries,
               Matrix              &sum)
     {
       entries.begin(sum);
-      std::vector<double> block;
+      std::vector<double> rows, block;
       for (const auto &entry : cells.elements)
         {
           const ElementView<2> element(cells, entry);
-          const unsigned int   n = element.n_functions();
-          block.assign(n * n, 0.);
+          const unsigned int   n    = element.n_functions(),
+                             stride = neighbours::padded(n),
+                             n_rows = n_factors * cells.points_per_element;
+          rows.assign(n_rows * stride, 0.);
+          block.resize(n * stride);
           for (unsigned int q = 0; q < cells.points_per_element; ++q)
-            integrand(element, q, block.data());
+            write_factors(element, q, &rows[q * n_factors * stride], stride);
+          sum_products(n_rows, n, stride, rows.data(), block.data());
           for (unsigned int a = 0; a < n; ++a)
             for (unsigned int b = 0; b < n; ++b)
               entries.add(entry.functions[a],
                           entry.functions[b],
-                          block[std::max(a, b) * n + std::min(a, b)]);
+                          block[a * stride + b]);
         }
     }
   } // namespace
@@ -101,16 +132,16 @@ namespace asperity
     heat_content = 0.;
     integrate(
       cells,
+      1,
       [this](const ElementView<2> &element,
              const unsigned int    q,
-             double               *block) {
-        const unsigned int n = element.n_functions();
-        const double heat    = material.volumetric_capacity() * element.JxW(q);
-        for (unsigned int a = 0; a < n; ++a)
+             double               *row,
+             const unsigned int) {
+        const double heat = material.volumetric_capacity() * element.JxW(q);
+        for (unsigned int a = 0; a < element.n_functions(); ++a)
           {
             heat_content(element.function(a)) += heat * element.N(q, a);
-            for (unsigned int b = 0; b <= a; ++b)
-              block[a * n + b] += heat * element.N(q, a) * element.N(q, b);
+            row[a] = std::sqrt(heat) * element.N(q, a);
           }
       },
       entries,
@@ -123,27 +154,32 @@ namespace asperity
   HeatConduction::assemble_conductance(const Vector &u)
   {
     conductance = 0.;
-    std::vector<Tensor<1, 2>> g;
     integrate(
       cells,
-      [&](const ElementView<2> &element, const unsigned int q, double *block) {
-        const unsigned int n = element.n_functions();
-        Tensor<2, 2>       F;
-        F[0][0] = F[1][1] = 1.;
-        for (unsigned int a = 0; a < n; ++a)
+      2,
+      [&](const ElementView<2> &element,
+          const unsigned int    q,
+          double               *row,
+          const unsigned int    stride) {
+        Tensor<2, 2> F = dealii::unit_symmetric_tensor<2>();
+        for (unsigned int a = 0; a < element.n_functions(); ++a)
           for (unsigned int c = 0; c < 2; ++c)
             F[c] += u(element.dof(a, c)) * element.gradient(q, a);
+        const double J = determinant(F);
+        if (!(J > 0.))
+          throw ComputationError("An element of the chip is inside out, where "
+                                 "no heat can be conducted.");
         // With the gradient in the current frame, g_a = F^{-T} Grad N_a, the
         // integrand is lambda J g_a g_b.
-        const Tensor<2, 2> F_inverse_transposed = transpose(invert(F));
-        g.resize(n);
-        for (unsigned int a = 0; a < n; ++a)
-          g[a] = F_inverse_transposed * element.gradient(q, a);
-        const double weight =
-          material.conductivity * determinant(F) * element.JxW(q);
-        for (unsigned int a = 0; a < n; ++a)
-          for (unsigned int b = 0; b <= a; ++b)
-            block[a * n + b] += weight * (g[a] * g[b]);
+        const double root =
+          std::sqrt(material.conductivity * J * element.JxW(q));
+        const Tensor<2, 2> to_current = root * transpose(invert(F));
+        for (unsigned int a = 0; a < element.n_functions(); ++a)
+          {
+            const Tensor<1, 2> g = to_current * element.gradient(q, a);
+            row[a]               = g[0];
+            row[stride + a]      = g[1];
+          }
       },
       entries,
       conductance);

@@ -113,7 +113,7 @@ namespace asperity
     };
     const double          goal = tolerance * b.l2_norm();
     dealii::SolverControl control(maximum_iterations, goal, false, false);
-    Vector                z(b.size());
+    Vector                z(b); // saves the product with a start of zero
     try
       {
         dealii::SolverGMRES<Vector>(control,
