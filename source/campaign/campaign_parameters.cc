@@ -143,11 +143,15 @@ namespace asperity
       "Pressure scale",
       pressure_scale,
       {{"pressure", PressureScale::as_it_is},
-       {"pressure over shear strength", PressureScale::over_strength}},
+       {"pressure over shear strength", PressureScale::over_strength},
+       {"logarithm of pressure over shear strength",
+        PressureScale::logarithm_over_strength}},
       "What the process sees of an input Load/Pressure: the pressure, or "
       "`pressure over shear strength` k of the chip at the temperature and "
       "plastic strain of the point. The latter halves the error where what "
-      "touches grows over much of the range; it needs a chip that yields.");
+      "touches grows over much of the range; it needs a chip that yields. The "
+      "logarithm, however the points are spread, is for what changes fastest at "
+      "low pressure.");
     parameters.number("Largest trusted deviation",
                       largest_trusted_deviation,
                       Range::positive(),

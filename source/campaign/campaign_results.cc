@@ -281,7 +281,11 @@ namespace asperity
     description.topography_scatter = scatter_.total();
     description.shear_limit        = shear_limit;
     description.pressure_over_strength =
-      parameters.law.pressure_scale == PressureScale::over_strength;
+      parameters.law.pressure_scale != PressureScale::as_it_is;
+    if (parameters.law.pressure_scale == PressureScale::logarithm_over_strength)
+      for (LawInput &input : description.inputs)
+        if (input.name == "Load/Pressure")
+          input.scale = Scale::logarithmic;
     description.mechanisms = mechanisms_;
     description.choices    = choices;
 

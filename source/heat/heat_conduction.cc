@@ -1,20 +1,13 @@
 #include <asperity/base/archive.h>
 #include <asperity/base/errors.h>
-#include <asperity/base/neighbours.h>
-#include <asperity/base/vector_widths.h>
 #include <asperity/heat/heat_conduction.h>
 #include <asperity/heat/point_values.h>
 #include <asperity/isogeometric/element_view.h>
 
-#include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
-
-#include <algorithm>
-#include <cmath>
 
 namespace asperity
 {
-  using dealii::Tensor;
   using Vector = dealii::Vector<double>;
   using Matrix = dealii::SparseMatrix<double>;
 
@@ -22,6 +15,7 @@ namespace asperity
                                  const unsigned int       n_functions,
                                  const ThermalProperties &material)
     : cells(cells)
+    , integrals(cells)
     , material(material)
     , solver(make_direct_solver(DirectSolverKind::cholmod))
     , rise_(n_functions)
@@ -64,64 +58,24 @@ namespace asperity
 
 
 
-  namespace
+  template <class Block>
+  void
+  HeatConduction::add_blocks(const Block &block, Matrix &sum)
   {
-    /** block[a * stride + b] = sum over the rows r of r_a r_b. */
-    ASPERITY_ALL_VECTOR_WIDTHS void
-    sum_products(const unsigned int n_rows,
-                 const unsigned int n,
-                 const unsigned int stride,
-                 const double      *rows,
-                 double            *block)
-    {
-      std::fill(block, block + n * stride, 0.);
-      for (const double *row = rows; row < rows + n_rows * stride;
-           row += stride)
-        for (unsigned int a = 0; a < n; ++a)
-          for (unsigned int b = 0; b < stride; b += neighbours::width)
-            neighbours::at(block + a * stride + b) +=
-              row[a] * neighbours::at(row + b);
-    }
-
-
-
-    /**
-     * Adds integrals over the elements of products of two functions.
-     *
-     * @param n_factors of these products at a point, which are added up
-     * @param write_factors (element, q, row, stride) writes the factors of a
-     *   point, the root of its weight in them: that number f of function a to
-     *   row[f * stride + a]
-     */
-    template <class Factors>
-    void
-    integrate(const BasisTable<2> &cells,
-              const unsigned int   n_factors,
-              const Factors       &write_factors,
-              MatrixEntries       &entries,
-              Matrix              &sum)
-    {
-      entries.begin(sum);
-      std::vector<double> rows, block;
-      for (const auto &entry : cells.elements)
-        {
-          const ElementView<2> element(cells, entry);
-          const unsigned int   n    = element.n_functions(),
-                             stride = neighbours::padded(n),
-                             n_rows = n_factors * cells.points_per_element;
-          rows.assign(n_rows * stride, 0.);
-          block.resize(n * stride);
-          for (unsigned int q = 0; q < cells.points_per_element; ++q)
-            write_factors(element, q, &rows[q * n_factors * stride], stride);
-          sum_products(n_rows, n, stride, rows.data(), block.data());
-          for (unsigned int a = 0; a < n; ++a)
-            for (unsigned int b = 0; b < n; ++b)
-              entries.add(entry.functions[a],
-                          entry.functions[b],
-                          block[a * stride + b]);
-        }
-    }
-  } // namespace
+    entries.begin(sum);
+    for (unsigned int e = 0; e < cells.elements.size(); ++e)
+      {
+        const std::vector<unsigned int> &functions =
+          cells.elements[e].functions;
+        const double *row = block(e);
+        for (const unsigned int a : functions)
+          {
+            for (unsigned int b = 0; b < functions.size(); ++b)
+              entries.add(a, functions[b], row[b]);
+            row += integrals.stride(e);
+          }
+      }
+  }
 
 
 
@@ -130,21 +84,26 @@ namespace asperity
   {
     capacity     = 0.;
     heat_content = 0.;
-    integrate(
-      cells,
-      1,
-      [this](const ElementView<2> &element,
-             const unsigned int    q,
-             double               *row,
-             const unsigned int) {
-        const double heat = material.volumetric_capacity() * element.JxW(q);
-        for (unsigned int a = 0; a < element.n_functions(); ++a)
+    std::vector<double> block;
+    add_blocks(
+      [&](const unsigned int e) {
+        const ElementView<2> element(cells, cells.elements[e]);
+        const unsigned int   n    = element.n_functions(),
+                           stride = integrals.stride(e);
+        block.assign(n * stride, 0.);
+        for (unsigned int q = 0; q < cells.points_per_element; ++q)
           {
-            heat_content(element.function(a)) += heat * element.N(q, a);
-            row[a] = std::sqrt(heat) * element.N(q, a);
+            const double heat = material.volumetric_capacity() * element.JxW(q);
+            for (unsigned int a = 0; a < n; ++a)
+              {
+                heat_content(element.function(a)) += heat * element.N(q, a);
+                for (unsigned int b = 0; b < n; ++b)
+                  block[a * stride + b] +=
+                    heat * element.N(q, a) * element.N(q, b);
+              }
           }
+        return block.data();
       },
-      entries,
       capacity);
   }
 
@@ -154,35 +113,9 @@ namespace asperity
   HeatConduction::assemble_conductance(const Vector &u)
   {
     conductance = 0.;
-    integrate(
-      cells,
-      2,
-      [&](const ElementView<2> &element,
-          const unsigned int    q,
-          double               *row,
-          const unsigned int    stride) {
-        Tensor<2, 2> F = dealii::unit_symmetric_tensor<2>();
-        for (unsigned int a = 0; a < element.n_functions(); ++a)
-          for (unsigned int c = 0; c < 2; ++c)
-            F[c] += u(element.dof(a, c)) * element.gradient(q, a);
-        const double J = determinant(F);
-        if (!(J > 0.))
-          throw ComputationError("An element of the chip is inside out, where "
-                                 "no heat can be conducted.");
-        // With the gradient in the current frame, g_a = F^{-T} Grad N_a, the
-        // integrand is lambda J g_a g_b.
-        const double root =
-          std::sqrt(material.conductivity * J * element.JxW(q));
-        const Tensor<2, 2> to_current = root * transpose(invert(F));
-        for (unsigned int a = 0; a < element.n_functions(); ++a)
-          {
-            const Tensor<1, 2> g = to_current * element.gradient(q, a);
-            row[a]               = g[0];
-            row[stride + a]      = g[1];
-          }
-      },
-      entries,
-      conductance);
+    add_blocks([&](const unsigned int e) { return integrals.integrate(e, u); },
+               conductance);
+    conductance *= material.conductivity;
   }
 
 

@@ -66,7 +66,8 @@ namespace asperity
   enum class PressureScale
   {
     as_it_is,
-    over_strength ///< p / k(T, eps), see LawCoordinates
+    over_strength, ///< p / k(T, eps), see LawCoordinates
+    logarithm_over_strength
   };
 
   struct LawParameters

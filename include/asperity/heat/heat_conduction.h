@@ -2,6 +2,7 @@
 #define asperity_heat_heat_conduction_h
 
 #include <asperity/heat/body_continuation.h>
+#include <asperity/heat/conductance_integrals.h>
 #include <asperity/heat/thermal_properties.h>
 #include <asperity/isogeometric/basis_table.h>
 #include <asperity/solvers/direct_solver.h>
@@ -111,6 +112,12 @@ namespace asperity
     void
     make_pattern();
 
+    /** Adds the entries of the functions of each element.
+     *  @param block element -> its entries, rows of integrals.stride() */
+    template <class Block>
+    void
+    add_blocks(const Block &block, dealii::SparseMatrix<double> &sum);
+
     void
     assemble_capacity();
 
@@ -118,6 +125,7 @@ namespace asperity
     assemble_conductance(const Vector &u);
 
     const BasisTable<2>            &cells;
+    ConductanceIntegrals            integrals;
     ThermalProperties               material;
     std::optional<BodyContinuation> continuation;
 
