@@ -86,9 +86,10 @@ namespace asperity
     const auto   before = scene.space->hierarchy();
     const double work =
       plastic_work(*scene.chip, start.history, parameters.load);
+    const auto F = scene.chip->deformation(state_.u_previous);
     if (!scene.adapt_mesh(parameters, adaptation->wanted(time, approach)))
       return;
-    go_back(start, *before);
+    go_back(start, *before, F);
 
     RemeshReport &report = state_.remeshing;
     ++report.remeshes;
@@ -111,18 +112,21 @@ namespace asperity
 
   template <>
   void
-  SlidingRun<2>::go_back(const StepStart          &start,
-                         const SplineHierarchy<2> &before)
+  SlidingRun<2>::go_back(const StepStart                         &start,
+                         const SplineHierarchy<2>                &before,
+                         const std::vector<dealii::Tensor<2, 3>> &F)
   {
     const SplineHierarchy<2> &after = *scene.space->hierarchy();
     const SpaceTransfer<2>    transfer(before, after);
+    first_guess = moved(transfer, state_.u);
+    state_.u    = moved(transfer, state_.u_previous);
     scene.chip->set_history(
       transfer_states(before,
                       after,
                       dealii::QGauss<2>(parameters.mesh.n_quadrature_points()),
-                      start.history));
-    first_guess        = moved(transfer, state_.u);
-    state_.u           = moved(transfer, state_.u_previous);
+                      start.history,
+                      F,
+                      scene.chip->deformation(state_.u)));
     state_.u_previous  = moved(transfer, start.u_previous);
     state_.dt_previous = start.dt_previous;
     state_.time        = start.time;

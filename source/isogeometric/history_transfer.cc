@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
+#include <utility>
 
 namespace asperity
 {
@@ -121,6 +123,48 @@ namespace asperity
 
 
 
+    /** The least and the largest value of each component. */
+    using Ranges = std::vector<std::pair<double, double>>;
+
+    /** Empty if each cell has a range of its own. */
+    Ranges
+    ranges_of(const std::vector<double> &values,
+              const unsigned int         n_components,
+              const HistoryRange         range)
+    {
+      using Limits = std::numeric_limits<double>;
+      if (range == HistoryRange::cell)
+        return {};
+      if (range == HistoryRange::none)
+        return Ranges(n_components, {Limits::lowest(), Limits::max()});
+      Ranges ranges(n_components, {Limits::max(), Limits::lowest()});
+      for (std::size_t i = 0; i < values.size(); ++i)
+        {
+          auto &[low, high] = ranges[i % n_components];
+          low               = std::min(low, values[i]);
+          high              = std::max(high, values[i]);
+        }
+      return ranges;
+    }
+
+
+
+    /** The wanted degree of polynomials in each direction, or the largest that
+     *  the points of a quadrature determine. */
+    template <int dim>
+    unsigned int
+    degree_of_fit(const dealii::Quadrature<dim> &quadrature,
+                  const unsigned int             wanted)
+    {
+      unsigned int degree = 0;
+      while (degree < wanted &&
+             tensor_size<dim>(degree + 2) <= quadrature.size())
+        ++degree;
+      return degree;
+    }
+
+
+
     /** Fits, limits and writes the values of one region. */
     template <int dim>
     void
@@ -129,6 +173,7 @@ namespace asperity
                     const Points<dim>         &targets,
                     const std::vector<double> &old_values,
                     const unsigned int         n_components,
+                    const Ranges              &ranges,
                     std::vector<double>       &new_values)
     {
       const auto          fit = fit_operator(degree, sources, targets);
@@ -151,6 +196,8 @@ namespace asperity
                 fitted[t] += fit(t, s) * value;
             }
           mean = std::min(std::max(mean / measure, low), high);
+          if (!ranges.empty())
+            std::tie(low, high) = ranges[c];
 
           const auto [least, most] =
             std::minmax_element(fitted.begin(), fitted.end());
@@ -176,17 +223,15 @@ namespace asperity
                    const dealii::Quadrature<dim> &quadrature,
                    const std::vector<double>     &values,
                    const unsigned int             n_components,
-                   const unsigned int             fit_degree)
+                   const unsigned int             fit_degree,
+                   const HistoryRange             range)
   {
     const std::size_t block = std::size_t(quadrature.size()) * n_components;
     AssertThrow(values.size() == from.n_cells() * block,
                 dealii::ExcDimensionMismatch(values.size(),
                                              from.n_cells() * block));
-    unsigned int degree = 0;
-    while (degree < fit_degree &&
-           tensor_size<dim>(degree + 2) <= quadrature.size())
-      ++degree;
-
+    const unsigned int  degree = degree_of_fit(quadrature, fit_degree);
+    const Ranges        ranges = ranges_of(values, n_components, range);
     std::vector<double> result(to.n_cells() * block);
     for (unsigned int cell = 0; cell < to.n_cells(); ++cell)
       {
@@ -199,7 +244,7 @@ namespace asperity
             collect(from, index, node, quadrature, sources);
             collect(to, index, to.find_node(index), quadrature, targets);
             transfer_region(
-              degree, sources, targets, values, n_components, result);
+              degree, sources, targets, values, n_components, ranges, result);
           }
         else if (from.cell_index(old) == index)
           std::copy(values.begin() + old * block,
@@ -216,10 +261,46 @@ namespace asperity
             collect(from, index, from.find_node(index), quadrature, sources);
             collect(to, index, node, quadrature, targets);
             transfer_region(
-              degree, sources, targets, values, n_components, result);
+              degree, sources, targets, values, n_components, ranges, result);
           }
       }
     return result;
+  }
+
+
+
+  std::vector<double>
+  coarsening_loss(const SplineHierarchy<2>    &hierarchy,
+                  const dealii::Quadrature<2> &quadrature,
+                  const std::vector<double>   &values,
+                  const unsigned int           fit_degree)
+  {
+    const unsigned int  degree = degree_of_fit(quadrature, fit_degree);
+    std::vector<double> loss(hierarchy.n_cells(), 0.);
+    for (unsigned int n = 0; n < hierarchy.nodes().size(); ++n)
+      {
+        const auto &node      = hierarchy.nodes()[n];
+        const auto  is_active = [&](const int child) {
+          return child >= 0 && hierarchy.nodes()[child].cell >= 0;
+        };
+        if (node.cell >= 0 ||
+            !std::all_of(node.children.begin(), node.children.end(), is_active))
+          continue;
+        Points<2> points;
+        collect(hierarchy, node.index, n, quadrature, points);
+        const auto fit     = fit_operator(degree, points, points);
+        double     squares = 0.;
+        for (unsigned int t = 0; t < points.number.size(); ++t)
+          {
+            double rest = values[points.number[t]];
+            for (unsigned int s = 0; s < points.number.size(); ++s)
+              rest -= fit(t, s) * values[points.number[s]];
+            squares += points.weight[t] * rest * rest;
+          }
+        for (const int child : node.children)
+          loss[hierarchy.nodes()[child].cell] = std::sqrt(squares);
+      }
+    return loss;
   }
 
 
@@ -230,12 +311,14 @@ namespace asperity
                    const dealii::Quadrature<2> &,
                    const std::vector<double> &,
                    const unsigned int,
-                   const unsigned int);
+                   const unsigned int,
+                   const HistoryRange);
   template std::vector<double>
   transfer_history(const SplineHierarchy<3> &,
                    const SplineHierarchy<3> &,
                    const dealii::Quadrature<3> &,
                    const std::vector<double> &,
                    const unsigned int,
-                   const unsigned int);
+                   const unsigned int,
+                   const HistoryRange);
 } // namespace asperity

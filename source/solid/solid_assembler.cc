@@ -282,6 +282,30 @@ namespace asperity
 
 
   template <int dim>
+  std::vector<Tensor<2, 3>>
+  SolidAssembler<dim>::deformation(const Vector &u) const
+  {
+    std::vector<Tensor<2, 3>> F(table_.JxW.size());
+    std::vector<Tensor<2, 3>> of_element;
+    std::vector<double>       displacement;
+    for (unsigned int e = 0; e < table_.elements.size(); ++e)
+      {
+        const ElementGradients<dim> &grad_N = gradients[e];
+        displacement.assign(grad_N.size(), 0.);
+        for (unsigned int i = 0; i < dofs[e].size(); ++i)
+          displacement[grad_N.index(i / dim, i % dim)] = u(dofs[e][i]);
+        of_element.resize(table_.points_per_element);
+        grad_N.deform(displacement.data(), of_element.data());
+        std::copy(of_element.begin(),
+                  of_element.end(),
+                  F.begin() + table_.elements[e].first_point);
+      }
+    return F;
+  }
+
+
+
+  template <int dim>
   const std::vector<double> &
   SolidAssembler<dim>::mises_stress() const
   {

@@ -1,6 +1,8 @@
 #include <asperity/isogeometric/space_transfer.h>
 #include <asperity/solid/state_transfer.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +10,13 @@ namespace asperity
 {
   namespace
   {
+    using dealii::Tensor;
     using Symmetric = dealii::SymmetricTensor<2, 3>;
+
+    constexpr unsigned int n_scalars = 2, n_strains = 4;
+
+    /** Below it a change of F is rounding. */
+    constexpr double smallest_change = 1e-12;
 
     /** f(lambda) in place of the eigenvalues. */
     template <typename Function>
@@ -23,36 +31,77 @@ namespace asperity
       return result;
     }
 
-    constexpr unsigned int n_components = 5;
-
-    void
-    append(const MaterialState &state, std::vector<double> &values)
+    /** A C A^T */
+    Symmetric
+    push_forward(const Tensor<2, 3> &A, const Symmetric &C)
     {
-      const Symmetric log =
-        of_eigenvalues(state.Cp_inverse,
-                       [](const double x) { return std::log(x); });
-      values.insert(values.end(),
-                    {log[0][0],
-                     log[1][1],
-                     log[0][1],
-                     state.plastic_strain,
-                     state.temperature});
+      return symmetrize(A * Tensor<2, 3>(C) * transpose(A));
     }
 
+    bool
+    has_yielded(const MaterialState &state)
+    {
+      return state.Cp_inverse != dealii::unit_symmetric_tensor<3>();
+    }
+
+    /** Of a point that is in both meshes: under another F it keeps its elastic
+     *  strain, which follows F until it yields. */
     MaterialState
-    state_of(const double *values)
+    kept_state(const MaterialState &old,
+               const Tensor<2, 3>  &F_before,
+               const Tensor<2, 3>  &F_after)
+    {
+      MaterialState      state = old;
+      const Tensor<2, 3> A     = invert(F_after) * F_before;
+      if (has_yielded(old) &&
+          (A - Tensor<2, 3>(dealii::unit_symmetric_tensor<3>())).norm() >
+            smallest_change)
+        state.Cp_inverse = push_forward(A, old.Cp_inverse);
+      return state;
+    }
+
+    /** Plastic strain and temperature of each point. */
+    std::vector<double>
+    scalars_of(const std::vector<MaterialState> &states)
+    {
+      std::vector<double> scalars;
+      scalars.reserve(n_scalars * states.size());
+      for (const MaterialState &state : states)
+        scalars.insert(scalars.end(),
+                       {state.plastic_strain, state.temperature});
+      return scalars;
+    }
+
+    /** Twice the logarithmic elastic strain of each point. */
+    std::vector<double>
+    elastic_strains(const std::vector<MaterialState> &states,
+                    const std::vector<Tensor<2, 3>>  &F)
+    {
+      std::vector<double> strains;
+      strains.reserve(n_strains * states.size());
+      for (std::size_t q = 0; q < states.size(); ++q)
+        {
+          const Symmetric log =
+            of_eigenvalues(push_forward(F[q], states[q].Cp_inverse),
+                           [](const double b) { return std::log(b); });
+          strains.insert(strains.end(),
+                         {log[0][0], log[1][1], log[0][1], log[2][2]});
+        }
+      return strains;
+    }
+
+    /** C_p^{-1} of a point from its elastic strain, as above, and its F. */
+    Symmetric
+    Cp_inverse(const double *strain, const Tensor<2, 3> &F)
     {
       Symmetric log;
-      log[0][0] = values[0];
-      log[1][1] = values[1];
-      log[0][1] = values[2];
-      log[2][2] = -values[0] - values[1]; // the determinant stays one
-      MaterialState state;
-      state.Cp_inverse =
-        of_eigenvalues(log, [](const double x) { return std::exp(x); });
-      state.plastic_strain = values[3];
-      state.temperature    = values[4];
-      return state;
+      log[0][0] = strain[0];
+      log[1][1] = strain[1];
+      log[0][1] = strain[2];
+      log[2][2] = strain[3];
+      return push_forward(invert(F), of_eigenvalues(log, [](const double x) {
+                            return std::exp(x);
+                          }));
     }
   } // namespace
 
@@ -62,28 +111,47 @@ namespace asperity
   transfer_states(const SplineHierarchy<2>         &from,
                   const SplineHierarchy<2>         &to,
                   const dealii::Quadrature<2>      &quadrature,
-                  const std::vector<MaterialState> &states)
+                  const std::vector<MaterialState> &states,
+                  const std::vector<Tensor<2, 3>>  &F_before,
+                  const std::vector<Tensor<2, 3>>  &F_after)
   {
-    std::vector<double> old_values;
-    old_values.reserve(n_components * states.size());
+    const unsigned int n_q = quadrature.size();
+    AssertDimension(F_before.size(), states.size());
+    AssertDimension(F_after.size(), to.n_cells() * n_q);
+    const auto transferred = [&](const std::vector<double> &values,
+                                 const unsigned int         n_components,
+                                 const HistoryRange         range) {
+      return transfer_history(
+        from, to, quadrature, values, n_components, 2, range);
+    };
+    const std::vector<double> scalars =
+      transferred(scalars_of(states), n_scalars, HistoryRange::body);
+    const std::vector<double> strains =
+      transferred(elastic_strains(states, F_before),
+                  n_strains,
+                  HistoryRange::none);
+    // Where nothing has yielded the elastic strain is that of F.
+    std::vector<double> yielded;
     for (const MaterialState &state : states)
-      append(state, old_values);
-    const std::vector<double> values =
-      transfer_history(from, to, quadrature, old_values, n_components);
+      yielded.push_back(has_yielded(state) ? 1. : 0.);
+    yielded = transferred(yielded, 1, HistoryRange::cell);
 
-    const unsigned int         n_q = quadrature.size();
-    std::vector<MaterialState> result;
-    result.reserve(to.n_cells() * n_q);
-    for (unsigned int cell = 0; cell < to.n_cells(); ++cell)
+    std::vector<MaterialState> result(F_after.size());
+    for (std::size_t q = 0; q < result.size(); ++q)
       {
-        // A logarithm and back would change the last digit.
-        const CellIndex<2> &index = to.cell_index(cell);
+        const CellIndex<2> &index = to.cell_index(q / n_q);
         const int           old   = from.nodes()[from.find_node(index)].cell;
-        const bool          kept  = old >= 0 && from.cell_index(old) == index;
-        for (unsigned int q = 0; q < n_q; ++q)
-          result.push_back(
-            kept ? states[old * n_q + q] :
-                   state_of(&values[(cell * n_q + q) * n_components]));
+        if (old >= 0 && from.cell_index(old) == index)
+          {
+            const std::size_t same = old * n_q + q % n_q;
+            result[q] = kept_state(states[same], F_before[same], F_after[q]);
+            continue;
+          }
+        result[q].plastic_strain = scalars[n_scalars * q];
+        result[q].temperature    = scalars[n_scalars * q + 1];
+        if (yielded[q] > 0.)
+          result[q].Cp_inverse =
+            Cp_inverse(&strains[n_strains * q], F_after[q]);
       }
     return result;
   }

@@ -265,9 +265,12 @@ TEST(HistoryTransfer, values_of_a_child_stay_in_the_range_of_its_parent)
 TEST(HistoryTransfer, refined_values_converge_to_a_smooth_field)
 {
   // Clamping to the range of the parent flattens the slope within a cell, so
-  // the values are first-order accurate at a point, the means exact.
-  const QGauss<2>     quadrature(3);
-  std::vector<double> errors;
+  // the values are first-order accurate at a point, the means exact. Parabolas
+  // that are left alone are third-order accurate.
+  const QGauss<2>           quadrature(3);
+  const auto                ranges = {HistoryRange::cell, HistoryRange::none};
+  std::vector<double>       before(2, 0.);
+  const std::vector<double> rates = {1.8, 6.};
   for (const unsigned int level : {1, 2, 3})
     {
       auto       space      = example::uniform(2, true);
@@ -281,14 +284,71 @@ TEST(HistoryTransfer, refined_values_converge_to_a_smooth_field)
       const auto old  = history(*space, quadrature, f);
       const auto from = space->hierarchy();
       space->refine_to_level(level + 1, everywhere);
-      const auto values =
-        transfer_history(*from, *space->hierarchy(), quadrature, old, 2);
-      const auto exact = history(*space, quadrature, f);
-      double     error = 0.;
-      for (unsigned int i = 0; i < exact.size(); ++i)
-        error = std::max(error, std::abs(values[i] - exact[i]));
-      errors.push_back(error);
+      const auto   exact  = history(*space, quadrature, f);
+      unsigned int number = 0;
+      for (const HistoryRange range : ranges)
+        {
+          const auto values = transfer_history(
+            *from, *space->hierarchy(), quadrature, old, 2, 2, range);
+          double error = 0.;
+          for (unsigned int i = 0; i < exact.size(); ++i)
+            error = std::max(error, std::abs(values[i] - exact[i]));
+          if (level > 1)
+            EXPECT_GT(before[number] / error, rates[number]);
+          before[number++] = error;
+        }
     }
-  EXPECT_GT(errors[0] / errors[1], 1.8);
-  EXPECT_GT(errors[1] / errors[2], 1.8);
+}
+
+TEST(HistoryTransfer, values_keep_the_range_of_the_body_where_that_is_asked_for)
+{
+  const QGauss<2> quadrature(2);
+  auto            space = example::uniform(2, true);
+  const auto      front = [](const Point<2> &x) {
+    return std::max(0., x[0] + x[1] - 0.8);
+  };
+  const auto from = space->hierarchy();
+  const auto old  = history(*space, quadrature, front);
+  space->refine_to_level(2, around_a_point);
+  const auto values = transfer_history(
+    *from, *space->hierarchy(), quadrature, old, 2, 2, HistoryRange::body);
+  const auto high = *std::max_element(old.begin(), old.end());
+  for (unsigned int i = 0; i < values.size(); i += 2)
+    {
+      EXPECT_GE(values[i], 0.);
+      EXPECT_LE(values[i], high);
+      EXPECT_NEAR(values[i + 1], -values[i], 1e-14);
+    }
+  EXPECT_NEAR(integral(*space, quadrature, values),
+              integral(*example::uniform(2, true), quadrature, old),
+              1e-13);
+}
+
+// Two Gauss points of each child lie at t = -+1/2 -+ 1/(2 sqrt(3)) of the
+// parent's [-1, 1], where t^2 is 1/3 -+ 1/(2 sqrt(3)); its linear fit is 1/3.
+TEST(HistoryTransfer, tells_what_a_coarsening_would_lose)
+{
+  const std::vector<double> knots = {0., .25, .5, .75, 1.};
+  SplineSpace<2> space(KnotVector(2, knots, true), KnotVector(2, knots));
+  space.refine_to_level(1, [](const Point<2> &lower, const Point<2> &) {
+    return lower[0] < 0.5;
+  });
+  const QGauss<2>     quadrature(2);
+  std::vector<double> linear, square;
+  for (const auto &x : tabulate_cells(space, {}, quadrature).parameter)
+    {
+      linear.push_back(2. - x[0] + 3. * x[0] * x[1]);
+      square.push_back(x[0] * x[0]);
+    }
+  const SplineHierarchy<2> &hierarchy = *space.hierarchy();
+  const auto   none     = coarsening_loss(hierarchy, quadrature, linear);
+  const auto   loss     = coarsening_loss(hierarchy, quadrature, square);
+  const double expected = 0.125 * 0.125 / (2. * std::sqrt(3.));
+  for (unsigned int cell = 0; cell < hierarchy.n_cells(); ++cell)
+    {
+      EXPECT_NEAR(none[cell], 0., 1e-13);
+      EXPECT_NEAR(loss[cell],
+                  hierarchy.cell_index(cell).level == 1 ? expected : 0.,
+                  1e-13);
+    }
 }

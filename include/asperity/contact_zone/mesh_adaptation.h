@@ -53,7 +53,8 @@ namespace asperity
    * their lengths beside what touches. What touches is known of the last
    * evaluated displacement; what will is told by the gap, under the tool that
    * moves on by the Remesh distance and comes as much closer as in the last
-   * step.
+   * step. Cells that are there stay where a coarsening would lose plastic
+   * strain.
    */
   class MeshAdaptation
   {

@@ -157,9 +157,12 @@ namespace asperity
     adapt_mesh(const StepStart &start);
 
     /** To the start of the accepted step, on the present mesh.
-     *  @param before of the state */
+     *  @param before of the state
+     *  @param F at the start of the step, on that mesh */
     void
-    go_back(const StepStart &start, const SplineHierarchy<dim> &before);
+    go_back(const StepStart                         &start,
+            const SplineHierarchy<dim>              &before,
+            const std::vector<dealii::Tensor<2, 3>> &F);
 
     /** mu of the last evaluated displacement. */
     double
@@ -277,8 +280,9 @@ namespace asperity
   SlidingRun<2>::adapt_mesh(const StepStart &start);
   template <>
   void
-  SlidingRun<2>::go_back(const StepStart          &start,
-                         const SplineHierarchy<2> &before);
+  SlidingRun<2>::go_back(const StepStart                         &start,
+                         const SplineHierarchy<2>                &before,
+                         const std::vector<dealii::Tensor<2, 3>> &F);
 } // namespace asperity
 
 #endif

@@ -86,16 +86,26 @@ namespace asperity
   is_refinement(const SplineHierarchy<dim> &coarse,
                 const SplineHierarchy<dim> &fine);
 
+  /** What the values of transfer_history() do not leave. */
+  enum class HistoryRange
+  {
+    cell, ///< the range of the old values in the cell of the fit
+    body, ///< the range of all old values
+    none
+  };
+
   /**
    * Takes values at the quadrature points of the cells from one mesh to another
    * on the same level-0 knots. Cells in both meshes keep their values bit by
    * bit. Elsewhere, on each cell of the coarser of both meshes, a polynomial is
    * fitted to the old values by weighted least squares and evaluated at the new
    * points. It is then drawn towards its mean, as little as needed, until no
-   * value leaves the range of the old values of that cell (the limiter of
-   * X. Zhang, C.-W. Shu, J. Comput. Phys. 229 (2010) 3091-3120). So, for each
-   * component and with a Gauss quadrature, the integral in the parameters is
-   * conserved, and bounds (a plastic strain that is not negative) are kept.
+   * value leaves a range (the limiter of X. Zhang, C.-W. Shu, J. Comput. Phys.
+   * 229 (2010) 3091-3120). So, for each component and with a Gauss quadrature,
+   * the integral in the parameters is conserved, and bounds (a plastic strain
+   * that is not negative) are kept. The new points of a finer cell lie outside
+   * the old ones: in the range of their cell values are first-order accurate,
+   * in a wider one second-order.
    *
    * Components are treated one by one: a relation between components that is
    * not linear, like det F = 1, must be restored by their owner.
@@ -113,7 +123,21 @@ namespace asperity
                    const dealii::Quadrature<dim> &quadrature,
                    const std::vector<double>     &values,
                    const unsigned int             n_components,
-                   const unsigned int             fit_degree = 2);
+                   const unsigned int             fit_degree = 2,
+                   const HistoryRange             range = HistoryRange::cell);
+
+  /**
+   * What values at quadrature points would lose if cells were coarsened by one
+   * level: root mean square over the parent of what the fit of
+   * transfer_history() leaves.
+   * @param values [cell * n_q + q]
+   * @return one a cell; zero if its parent has other parts than active cells
+   */
+  std::vector<double>
+  coarsening_loss(const SplineHierarchy<2>    &hierarchy,
+                  const dealii::Quadrature<2> &quadrature,
+                  const std::vector<double>   &values,
+                  const unsigned int           fit_degree = 2);
 } // namespace asperity
 
 #endif

@@ -83,6 +83,11 @@ namespace asperity
     void
     set_history(const std::vector<MaterialState> &history);
 
+    /** Deformation gradients at the points of table(); on several ranks those
+     *  of a process's own cells. @param u [m] */
+    std::vector<dealii::Tensor<2, 3>>
+    deformation(const dealii::Vector<double> &u) const;
+
     /** Equivalent stress at the last evaluated u, one a point of table() [Pa].
      */
     const std::vector<double> &
