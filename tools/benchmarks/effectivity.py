@@ -182,9 +182,7 @@ def remeshing(arguments):
         results = {}
         spans, level = arguments.finest, int(math.log2(arguments.finest // 20))
         while level >= 2:
-            for adaptive in (0, level - 1):
-                if adaptive and spans == arguments.finest:
-                    continue
+            for adaptive in (0, level):
                 results[spans, adaptive] = cached_run(
                     arguments, scene, f"mesh_{spans}_{adaptive}",
                     {**DEFAULT, "Mesh/Spans": spans, "Solver/Tolerance": 1e-6,
