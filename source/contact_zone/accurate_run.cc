@@ -34,13 +34,26 @@ namespace asperity
 
     /** A family that tells which of its members it computes. */
     RunFamily
-    family_of(const SceneParameters &parameters, ProgressLine &progress)
+    family_of(const SceneParameters &parameters,
+              ProgressLine          &progress,
+              const Ranks           &ranks = Ranks())
     {
-      return RunFamily(parameters,
-                       [&progress, n = 0u](const Fineness &) mutable {
-                         progress.note("companion " + std::to_string(++n) +
-                                       ", for the error of mu");
-                       });
+      return RunFamily(
+        parameters,
+        [&progress, n = 0u](const Fineness &) mutable {
+          progress.note("companion " + std::to_string(++n) +
+                        ", for the error of mu");
+        },
+        ranks);
+    }
+
+    /** Whether all ranks have found it: a scene that cannot be built, or a step
+     *  that has no solution. */
+    bool
+    is_shared(const std::runtime_error &failure)
+    {
+      return dynamic_cast<const SharedError *>(&failure) != nullptr ||
+             dynamic_cast<const InputError *>(&failure) != nullptr;
     }
 
     void
@@ -97,11 +110,14 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  estimate_accuracy(AccurateRun &run, ProgressLine &progress)
+  estimate_accuracy(AccurateRun<dim> &run,
+                    ProgressLine     &progress,
+                    const Ranks      &ranks)
   {
     const SceneParameters &parameters = run.scene->parameters();
-    RunFamily              family     = family_of(parameters, progress);
+    RunFamily              family     = family_of(parameters, progress, ranks);
     family.add({}, run.scene->member());
     try
       {
@@ -113,6 +129,9 @@ namespace asperity
       }
     catch (const std::runtime_error &failure)
       {
+        // The other ranks would wait for one that fails alone.
+        if (ranks.are_several() && !is_shared(failure))
+          throw;
         run.warnings.push_back(
           "The numerical error of mu is not known, since a companion of "
           "the run failed: " +
@@ -123,8 +142,15 @@ namespace asperity
 
 
 
+  template void
+  estimate_accuracy(AccurateRun<2> &, ProgressLine &, const Ranks &);
+  template void
+  estimate_accuracy(AccurateRun<3> &, ProgressLine &, const Ranks &);
+
+
+
   void
-  run_adaptively(AccurateRun                 &run,
+  run_adaptively(AccurateRun<2>              &run,
                  const std::string           &file,
                  const OutputFolder          &folder,
                  ProgressLine                &progress,

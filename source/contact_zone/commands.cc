@@ -9,6 +9,7 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/timer.h>
 
+#include <functional>
 #include <iostream>
 
 namespace asperity
@@ -35,85 +36,74 @@ namespace asperity
         std::cout << "Restart after step " << scene.run().state().step << "\n";
     }
 
-    /** A scene in two dimensions, with what is known of its error. */
+    /** Computes the scene and, if that is wanted, what is known of its error.
+     *  @param folder null on other ranks than the first
+     *  @param finish writes the summary */
+    template <int dim>
     void
-    run_profile(const std::string &file)
+    compute(AccurateRun<dim>            &accurate,
+            const std::string           &file,
+            const OutputFolder          *folder,
+            ProgressLine                &progress,
+            const Ranks                 &ranks,
+            const std::function<void()> &finish)
     {
-      dealii::Timer timer;
-      AccurateRun   accurate;
-      accurate.scene = std::make_unique<SceneRun<2>>(file);
-      const AccuracyParameters &accuracy =
-        accurate.scene->parameters().accuracy;
-      const bool is_wanted     = accuracy.is_wanted(),
-                 is_adaptive   = accuracy.is_adaptive();
-      accurate.accuracy.wanted = accuracy.error;
+      const AccuracyParameters accuracy = accurate.scene->parameters().accuracy;
+      if constexpr (dim == 2)
+        if (accuracy.is_adaptive())
+          {
+            run_adaptively(accurate, file, *folder, progress, finish);
+            finish();
+            return;
+          }
+      accurate.scene->compute(folder, progress);
+      // The results are safe before companions run, which may be killed.
+      finish();
+      if (!accuracy.is_wanted())
+        return;
+      estimate_accuracy(accurate, progress, ranks);
+      finish();
+    }
+
+    /** @param ranks that compute it together; the first one writes */
+    template <int dim>
+    void
+    run(const std::string &file, const Ranks &ranks)
+    {
+      dealii::Timer    timer;
+      AccurateRun<dim> accurate;
+      accurate.scene =
+        std::make_unique<SceneRun<dim>>(file, EntryValues(), ranks);
+      accurate.accuracy.wanted = accurate.scene->parameters().accuracy.error;
 
       // Nothing has been written before all of the input is known to be good.
       const auto folder = accurate.scene->lock_folder();
-      if (!folder->warning().empty())
+      if (folder && !folder->warning().empty())
         accurate.notes.push_back(folder->warning());
-      std::cout << version_line() << "\n";
-      begin_report(*accurate.scene, accurate.notes);
-      ProgressLine progress(std::cout);
-      const auto   finish = [&]() {
+      if (folder)
+        {
+          std::cout << version_line() << "\n";
+          begin_report(*accurate.scene, accurate.notes);
+        }
+      ProgressLine progress(std::cout,
+                            folder ? ProgressLine::Mode::automatic :
+                                     ProgressLine::Mode::silent);
+      compute<dim>(accurate, file, folder.get(), progress, ranks, [&]() {
         std::vector<std::string> told = accurate.notes;
         told.insert(told.end(),
                     accurate.warnings.begin(),
                     accurate.warnings.end());
         accurate.scene->finish(accurate.accuracy, told, timer.wall_time());
-      };
-      if (is_adaptive)
-        run_adaptively(accurate, file, *folder, progress, finish);
-      else
-        {
-          accurate.scene->compute(folder.get(), progress);
-          // The results are safe before companions run, which may be killed.
-          finish();
-          if (is_wanted)
-            estimate_accuracy(accurate, progress);
-        }
-      if (is_wanted)
-        finish();
-      progress.note("");
-      const SceneRun<2> &scene = *accurate.scene;
-      print_result(scene.run(),
-                   scene.parameters(),
-                   accurate.accuracy.error,
-                   timer.wall_time());
-      print_warnings(scene.warnings());
-      print_warnings(accurate.warnings);
-    }
-
-
-    /** A scene in three dimensions, on all ranks. */
-    void
-    run_patch(const std::string &file)
-    {
-      dealii::Timer            timer;
-      const Ranks              ranks = Ranks::together();
-      SceneRun<3>              scene(file, {}, ranks);
-      const auto               folder = scene.lock_folder();
-      std::vector<std::string> notes;
-      if (folder && !folder->warning().empty())
-        notes.push_back(folder->warning());
-      if (folder)
-        {
-          std::cout << version_line() << "\n";
-          begin_report(scene, notes);
-        }
-      ProgressLine progress(std::cout,
-                            folder ? ProgressLine::Mode::automatic :
-                                     ProgressLine::Mode::silent);
-      scene.compute(folder.get(), progress);
-      scene.finish({}, notes, timer.wall_time());
+      });
       if (!folder)
         return;
       progress.note("");
-      print_result(scene.run(),
-                   scene.parameters(),
-                   std::nullopt,
+      print_result(accurate.scene->run(),
+                   accurate.scene->parameters(),
+                   accurate.accuracy.error,
                    timer.wall_time());
-      print_warnings(scene.warnings());
+      print_warnings(accurate.scene->warnings());
+      print_warnings(accurate.warnings);
     }
 
     template <int dim>
@@ -143,7 +133,7 @@ namespace asperity
   {
     if (SceneInput(file).parameters.geometry.dimension == 3)
       {
-        run_patch(file);
+        run<3>(file, Ranks::together());
         return 0;
       }
     // Others would write the same files.
@@ -153,7 +143,7 @@ namespace asperity
     if (n_ranks > 1)
       std::cout << "A scene in two dimensions runs on one rank; the other "
                 << n_ranks - 1 << " stay idle.\n";
-    run_profile(file);
+    run<2>(file, Ranks());
     return 0;
   }
 

@@ -32,6 +32,21 @@ namespace asperity
                          ", so that the coarsest level has p + 1 spans.");
     }
 
+    /** Companions that tell the error of mu have elements twice as long. */
+    void
+    check_coarser(const MeshParameters      &mesh,
+                  const ParameterDeclarator &parameters)
+    {
+      if (!mesh.has_coarser_across())
+        throw InputError(
+          parameters.where("Mesh/Spans across") + ": found " +
+          (mesh.across ? std::to_string(*mesh.across) : "automatic") +
+          " without refinement levels, of which no mesh twice as coarse can be "
+          "made that would tell the error of mu (Accuracy/Control); expected "
+          "an even number of at least " +
+          std::to_string(2 * mesh.degree + 2) + ", or Refinement levels.");
+    }
+
     void
     check_waves(const SurfaceParameters   &surface,
                 const std::string         &section,
@@ -96,10 +111,9 @@ namespace asperity
            "the Heat model automatic, adiabatic or isothermal");
     if (p.mesh.adaptive_levels > 0)
       fail("a mesh that changes", "Mesh/Adaptive levels = 0");
-    if (p.mesh.offset != 0.)
-      fail("surfaces that are moved against the mesh", "Mesh/Offset = 0");
-    if (p.accuracy.is_wanted())
-      fail("an estimate of the error of mu", "Accuracy/Control = off");
+    if (p.accuracy.is_adaptive())
+      fail("settings that are chosen by the error of mu",
+           "Accuracy/Control = estimate or off");
     if (p.tool.kind == SurfaceKind::measured && p.tool.topography.length == 0.)
       throw InputError(parameters.where("Tool/Topography/Profile length") +
                        ": found 0 um in three dimensions; expected the length "
@@ -119,6 +133,8 @@ namespace asperity
                        ": found 1 in three dimensions; expected 0, or at least "
                        "2.");
     check_mesh(p.mesh, parameters);
+    if (p.accuracy.is_wanted())
+      check_coarser(p.mesh, parameters);
     check_waves(p.tool, "Tool", parameters);
     check_waves(p.chip, "Chip surface", parameters);
   }

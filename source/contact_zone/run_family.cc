@@ -44,7 +44,8 @@ namespace asperity
     MeshParameters mesh = parameters.mesh;
     for (int k = 0; k > fineness; --k)
       {
-        if (!mesh.has_coarser())
+        if (!mesh.has_coarser() ||
+            (parameters.geometry.dimension == 3 && !mesh.has_coarser_across()))
           return false;
         mesh.coarsen();
       }
@@ -90,9 +91,11 @@ namespace asperity
 
 
   RunFamily::RunFamily(const SceneParameters &parameters,
-                       const Progress        &progress)
+                       const Progress        &progress,
+                       const Ranks           &ranks)
     : parameters_(parameters)
     , progress(progress)
+    , ranks(ranks)
   {}
 
 
@@ -105,7 +108,7 @@ namespace asperity
         if (progress)
           progress(fineness);
         SceneParameters   scene  = with_fineness(parameters_, fineness);
-        const SceneResult result = compute_scene(scene);
+        const SceneResult result = compute_scene(scene, ranks);
         add(fineness,
             {result.friction.mu, result.unknowns, result.newton_iterations});
       }

@@ -116,6 +116,14 @@ namespace asperity
       tool_surface.mapped(1.,
                           parameters.geometry.initial_gap -
                             smallest_gap(chip_surface, tool_surface));
+    const MeshParameters &mesh = parameters.mesh;
+    if (mesh.offset == 0.)
+      return;
+    const double along_x = mesh.offset * length / mesh.spans,
+                 along_y =
+                   mesh.offset * width / mesh.n_spans_across(length, width);
+    tool_surface = tool_surface.moved(along_x, along_y);
+    chip_surface = chip_surface.moved(along_x, along_y);
   }
 
 

@@ -79,10 +79,21 @@ namespace asperity
 
 
 
+  bool
+  MeshParameters::has_coarser_across() const
+  {
+    return refinement > 0 ||
+           (across && *across % 2 == 0 && *across / 2 >= degree + 1);
+  }
+
+
+
   void
   MeshParameters::coarsen()
   {
     spans /= 2;
+    if (across)
+      *across /= 2;
     if (refinement > 0)
       --refinement;
     adaptive_levels = std::min(adaptive_levels, refinement);
@@ -103,6 +114,8 @@ namespace asperity
   MeshParameters::refine()
   {
     spans *= 2;
+    if (across)
+      *across *= 2;
     ++refinement;
     offset *= 2.;
   }

@@ -152,9 +152,9 @@ namespace asperity
   {
     template <int dim>
     SceneResult
-    compute(SceneParameters &parameters)
+    compute(SceneParameters &parameters, const Ranks &ranks)
     {
-      const AuditedScene<dim> audited(parameters);
+      const AuditedScene<dim> audited(parameters, ranks);
       SlidingRun<dim>         run(parameters, *audited.scene);
       run.run([](const SlidingRun<dim> &) {});
 
@@ -183,9 +183,9 @@ namespace asperity
 
 
   SceneResult
-  compute_scene(SceneParameters &parameters)
+  compute_scene(SceneParameters &parameters, const Ranks &ranks)
   {
-    return parameters.geometry.dimension == 3 ? compute<3>(parameters) :
-                                                compute<2>(parameters);
+    return parameters.geometry.dimension == 3 ? compute<3>(parameters, ranks) :
+                                                compute<2>(parameters, ranks);
   }
 } // namespace asperity

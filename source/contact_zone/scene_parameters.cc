@@ -52,8 +52,9 @@ namespace asperity
                         offset,
                         Range::between(-1., 1.),
                         "Part of an element of the contact edge by which both "
-                        "surfaces are moved along x against the mesh: what "
-                        "this changes of mu is numerical error.");
+                        "surfaces are moved along x against the mesh, in three "
+                        "dimensions along y, too: what this changes of mu is "
+                        "numerical error.");
     }
   } // namespace
 

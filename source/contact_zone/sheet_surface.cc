@@ -133,6 +133,15 @@ namespace asperity
                make_flat_sheet(periods, parameters.degree);
     }
 
+    KnotVector
+    moved_knots(const KnotVector &knots, const double distance)
+    {
+      std::vector<double> breakpoints = knots.breakpoints();
+      for (double &t : breakpoints)
+        t += distance;
+      return KnotVector(knots.degree(), breakpoints, knots.is_periodic());
+    }
+
     bool
     is_flat(const SheetSurface &surface)
     {
@@ -196,6 +205,18 @@ namespace asperity
   {
     SheetSurface surface = *this;
     surface.sheet        = sheet.mapped(factor, offset);
+    return surface;
+  }
+
+
+
+  SheetSurface
+  SheetSurface::moved(const double along_x, const double along_y) const
+  {
+    SheetSurface surface = *this;
+    surface.sheet = SplineSheet({{moved_knots(sheet.knot_vector(0), along_x),
+                                  moved_knots(sheet.knot_vector(1), along_y)}},
+                                sheet.coefficients());
     return surface;
   }
 

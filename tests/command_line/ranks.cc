@@ -16,6 +16,8 @@ namespace
   class RanksOfScene : public Program
   {
   protected:
+    std::string mesh = " set Spans = 6\n";
+
     /** Hills over a coarse chip. */
     std::string
     scene(const std::string &directory, const std::string &further = "") const
@@ -25,7 +27,8 @@ namespace
              "subsection Tool\n set Kind = harmonics\n"
              " set Wave numbers = 1, 1\n set Wave numbers across = 1, -1\n"
              " set Amplitudes = 0.1 um, 0.05 um\n set Phases = 0 rad, 1 rad\n"
-             "end\nsubsection Mesh\n set Spans = 6\n"
+             "end\nsubsection Mesh\n" +
+             mesh +
              " set Refinement levels = 0\n"
              " set Row grading = 2.5\nend\n"
              "subsection Interface\n set Shear law = Coulomb\n"
@@ -100,6 +103,25 @@ TEST_F(RanksOfScene, find_the_friction_of_one_and_go_on_in_another_number)
       expect_equal(summary("further"), two, 1e-8);
       EXPECT_EQ(summary("further")["cost"]["ranks"], launcher.empty() ? 1 : 4);
     }
+}
+
+
+
+TEST_F(RanksOfScene, tell_the_numerical_error_of_mu_together)
+{
+  mesh = " set Degree = 1\n set Spans = 8\n set Spans across = 8\n";
+  const std::string further =
+    "end\nsubsection Accuracy\n set Control = estimate\n";
+  compute("one", "", further);
+  compute("two", "mpirun -np 2", further);
+  const auto one = summary("one")["accuracy"], two = summary("two")["accuracy"];
+  for (const char *source : {"mesh", "step", "penalty", "chance"})
+    EXPECT_NEAR(two["by_source"][source], one["by_source"][source], 1e-6)
+      << source;
+  EXPECT_EQ(two["runs"], one["runs"]);
+  EXPECT_NEAR(two["error"], one["error"], 1e-6);
+  EXPECT_GT(std::abs(double(one["by_source"]["mesh"])), 1e-4);
+  EXPECT_GT(std::abs(double(one["by_source"]["penalty"])), 1e-4);
 }
 
 

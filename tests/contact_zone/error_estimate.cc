@@ -154,6 +154,52 @@ TEST(ErrorEstimate, takes_less_of_what_is_not_resolved)
     }
 }
 
+// Companions of a patch by hand: elements twice as long along and across,
+// moved by half of theirs, half the steps, half the penalty.
+TEST(ErrorEstimate, of_a_patch_is_that_of_companions_by_hand)
+{
+  SceneParameters patch      = narrow_scene();
+  patch.mesh.degree          = 1;
+  patch.tool.spans           = std::nullopt;
+  patch.tool.wave_numbers    = {1., 1.};
+  patch.tool.across          = {1., -1.};
+  patch.tool.amplitudes      = {0.1e-6, 0.05e-6};
+  patch.tool.phases          = {0.3, 1.};
+  patch.protocol.ramp_steps  = 2;
+  patch.protocol.slide_steps = 4;
+  RunFamily           family(patch);
+  const ErrorEstimate error = estimate_error(family, {});
+
+  SceneParameters coarse        = patch;
+  coarse.mesh.spans             = 8;
+  coarse.mesh.across            = 3;
+  coarse.mesh.refinement        = 0;
+  coarse.contact.penalty_factor = 2. * patch.contact.penalty_factor;
+  SceneParameters moved         = coarse;
+  moved.mesh.offset             = 0.5;
+  const auto mu                 = [](const SceneParameters &parameters) {
+    return CompleteRunIn<3>(parameters).run.friction().mu;
+  };
+  const double of = mu(patch), on_coarse = mu(coarse);
+  const double change = (0.5 * (on_coarse + mu(moved)) - of) / of;
+  // What decides between cheap and dear companions is tested above.
+  const bool   is_cheap = !family.has({0, -1, 0});
+  const double draw = is_cheap ? of : mu(with_fineness(patch, {0, 0, 0, 1}));
+  const double half = 0.5 * (draw - of) / of;
+  EXPECT_NEAR(error.mesh,
+              (change - half) / 3. / (1. + std::abs(change - half) / 0.1) -
+                half,
+              1e-6);
+  SceneParameters base = is_cheap ? coarse : patch, fewer = base, softer = base;
+  fewer.protocol.ramp_steps  = 1;
+  fewer.protocol.slide_steps = 2;
+  softer.contact.penalty_factor *= 0.5;
+  const double mu_base = is_cheap ? on_coarse : of;
+  EXPECT_NEAR(error.step, (mu(fewer) - mu_base) / of, 1e-6);
+  EXPECT_NEAR(error.penalty, (mu(softer) - mu_base) / of, 1e-6);
+  EXPECT_GT(std::abs(error.mesh), 1e-3);
+}
+
 TEST(ErrorEstimate, is_that_of_the_sum_and_of_what_is_not_known_of_it)
 {
   const ErrorEstimate same{0.003, 0.004, 0.012};

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <optional>
+
 #include "scene_examples.h"
 
 using namespace asperity;
@@ -65,6 +68,72 @@ TEST(RunFamily, moves_the_surfaces_by_halves_of_an_element)
   parameters.mesh.offset = 0.5;
   EXPECT_EQ(with_fineness(parameters, {-1, 0, 0}).mesh.offset, 0.25);
   EXPECT_EQ(with_fineness(parameters, {1, 0, 0}).mesh.offset, 1.);
+}
+
+TEST(RunFamily, members_of_a_patch_differ_across_too)
+{
+  SceneParameters parameters = narrow_scene();
+  for (const auto &across :
+       {std::optional<unsigned int>(), std::optional<unsigned int>(8)})
+    {
+      parameters.mesh.across = across;
+      const Scene<3> scene(parameters);
+      for (const int mesh : {-1, 1})
+        {
+          const SceneParameters other = with_fineness(parameters, {mesh, 0, 0});
+          const Scene<3>        finer(other);
+          const double          ratio = std::ldexp(1., mesh);
+          EXPECT_EQ(other.mesh.n_spans_across(scene.length, scene.width),
+                    ratio * (across ? 8 : 6));
+          EXPECT_NEAR(finer.contact_element_length(),
+                      scene.contact_element_length() / ratio,
+                      1e-12 * scene.length);
+          EXPECT_NEAR(finer.penalty(),
+                      scene.penalty(),
+                      1e-12 * scene.penalty());
+        }
+      EXPECT_FALSE(has_mesh(parameters, -2)); // of 4 spans
+    }
+  parameters.mesh.refinement = 0;
+  EXPECT_TRUE(has_mesh(parameters, -1));
+  for (const auto &across :
+       {std::optional<unsigned int>(), std::optional<unsigned int>(9)})
+    {
+      parameters.mesh.across = across;
+      EXPECT_FALSE(has_mesh(parameters, -1));
+    }
+}
+
+// Contacts do not pass elements across the motion, so the other draw is moved
+// across, too.
+TEST(RunFamily, moves_sheets_by_halves_of_an_element_along_and_across)
+{
+  SceneParameters parameters   = narrow_scene();
+  parameters.tool.across       = {0., 1., 0., -1., 2., 0.};
+  parameters.tool.spans        = std::nullopt;
+  parameters.chip.kind         = SurfaceKind::harmonics;
+  parameters.chip.wave_numbers = {2};
+  parameters.chip.across       = {1};
+  parameters.chip.amplitudes   = {0.03e-6};
+  parameters.chip.phases       = {0.4};
+  const Scene<3> scene(parameters);
+  for (const int mesh : {0, -1})
+    {
+      const Scene<3>         moved(with_fineness(parameters, {mesh, 0, 0, 1}));
+      const double           part = mesh == 0 ? 0.5 : 1.;
+      const dealii::Point<2> distance(part * scene.length / 16,
+                                      part * scene.width / 6);
+      for (const dealii::Point<2> &at :
+           {dealii::Point<2>(0., 0.), dealii::Point<2>(0.3e-6, 3.1e-6)})
+        {
+          EXPECT_NEAR(moved.tool_surface.sheet.value(at + distance),
+                      scene.tool_surface.sheet.value(at),
+                      1e-17);
+          EXPECT_NEAR(moved.chip_surface.sheet.value(at + distance),
+                      scene.chip_surface.sheet.value(at),
+                      1e-17);
+        }
+    }
 }
 
 // On a mesh of one level the scene is the same again after a whole element.

@@ -11,17 +11,22 @@
 namespace asperity
 {
   /** A run with what is known of its numerical error. */
+  template <int dim>
   struct AccurateRun
   {
-    std::unique_ptr<SceneRun<2>> scene;
-    AccuracyReport               accuracy;
-    std::vector<std::string>     notes;    ///< from before it
-    std::vector<std::string>     warnings; ///< of its accuracy
+    std::unique_ptr<SceneRun<dim>> scene;
+    AccuracyReport                 accuracy;
+    std::vector<std::string>       notes;    ///< from before it
+    std::vector<std::string>       warnings; ///< of its accuracy
   };
 
-  /** Lets companions tell the error of a run that has ended. */
+  /** Lets companions tell the error of a run that has ended.
+   *  @param ranks that have computed it, and compute them */
+  template <int dim>
   void
-  estimate_accuracy(AccurateRun &run, ProgressLine &progress);
+  estimate_accuracy(AccurateRun<dim> &run,
+                    ProgressLine     &progress,
+                    const Ranks      &ranks = Ranks());
 
   /**
    * Replaces the run, which has not begun, by those at finer and finer settings
@@ -33,7 +38,7 @@ namespace asperity
    * @throws ComputationError if a run at the settings of the file fails
    */
   void
-  run_adaptively(AccurateRun                 &run,
+  run_adaptively(AccurateRun<2>              &run,
                  const std::string           &file,
                  const OutputFolder          &folder,
                  ProgressLine                &progress,

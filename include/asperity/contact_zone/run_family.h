@@ -1,6 +1,7 @@
 #ifndef asperity_contact_zone_run_family_h
 #define asperity_contact_zone_run_family_h
 
+#include <asperity/base/ranks.h>
 #include <asperity/contact_zone/scene_parameters.h>
 
 #include <functional>
@@ -12,12 +13,13 @@ namespace asperity
    *  negative numbers are coarser. */
   struct Fineness
   {
-    int mesh    = 0; ///< elements along the contact edge
+    int mesh    = 0; ///< elements along the contact edge, and across
     int step    = 0; ///< time steps
     int penalty = 0; ///< penalty [Pa/m], whatever the mesh
 
-    /** Halves of an element by which the surfaces are moved against the mesh:
-     *  no finer, but another draw of what is left to chance. */
+    /** Halves of an element by which the surfaces are moved against the mesh,
+     *  in three dimensions along x and y: no finer, but another draw of what is
+     *  left to chance. */
     int offset = 0;
 
     bool
@@ -63,9 +65,11 @@ namespace asperity
     using Progress = std::function<void(const Fineness &)>;
 
     /** @param parameters of the scene, with models chosen by `automatic` in
-     *  them */
+     *  them
+     *  @param ranks that compute each run of a patch together */
     explicit RunFamily(const SceneParameters &parameters,
-                       const Progress        &progress = {});
+                       const Progress        &progress = {},
+                       const Ranks           &ranks    = Ranks());
 
     /** @throws ComputationError if the run fails */
     const FamilyMember &
@@ -92,6 +96,7 @@ namespace asperity
   private:
     SceneParameters                  parameters_;
     Progress                         progress;
+    Ranks                            ranks;
     std::map<Fineness, FamilyMember> members;
   };
 } // namespace asperity

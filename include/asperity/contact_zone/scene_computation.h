@@ -34,11 +34,12 @@ namespace asperity
   /**
    * Computes a scene without writing anything.
    * @param parameters checked; models chosen by `automatic` go into them
+   * @param ranks that compute a patch together
    * @throws InputError if no scene can be built of them
    * @throws ComputationError if a step fails after all cuts
    */
   SceneResult
-  compute_scene(SceneParameters &parameters);
+  compute_scene(SceneParameters &parameters, const Ranks &ranks = Ranks());
 
   /** Warnings of the audit and of a run that has ended. */
   template <int dim>

@@ -106,8 +106,8 @@ namespace asperity
     double       grading    = 1.5;    ///< growth of rows with depth
     unsigned int quadrature = 0;      ///< Gauss points; 0: the degree
 
-    /** Of both surfaces along x against the mesh, in elements of the contact
-     *  edge; two dimensions only. */
+    /** Of both surfaces along x, and of sheets along y, too, against the mesh,
+     *  in elements of the contact edge. */
     double offset = 0.;
 
     /** Of the refinement levels, the finest ones that are only where the chip
@@ -143,7 +143,12 @@ namespace asperity
     bool
     has_coarser() const;
 
-    /** Takes it. */
+    /** Whether that of a patch has elements twice as long across, too, which
+     *  `automatic` promises only where it takes a level away. */
+    bool
+    has_coarser_across() const;
+
+    /** Takes it, with half of the elements across that are chosen. */
     void
     coarsen();
 

@@ -42,6 +42,10 @@ namespace asperity
     /** factor s(x, y) + offset */
     SheetSurface
     mapped(const double factor, const double offset) const;
+
+    /** s(x - along_x, y - along_y), exactly. */
+    SheetSurface
+    moved(const double along_x, const double along_y) const;
   };
 
   /**
