@@ -35,9 +35,10 @@ namespace asperity
    * The error of a run by companions of its family, each of which differs in
    * one thing from another.
    *
-   * Elements twice as long tell the error by the mesh, of second order and less
-   * where they do not resolve the contacts, by a mean of two draws: their edges
-   * are moved by half an element. What halving steps and penalty changes on
+   * Elements twice as long (in three dimensions along and across) tell the
+   * error by the mesh, of second order and less where they do not resolve the
+   * contacts, by a mean of two draws: their edges are moved by half an element
+   * in each direction. What halving steps and penalty changes on
    * them tells the errors by these, of first order.
    *
    * If the two draws differ by so much that the sum of these errors is left to
@@ -46,7 +47,8 @@ namespace asperity
    * have the elements of the run; and another with its settings on moved
    * elements tells how far the run is from the mean of its own draws.
    *
-   * They cost about 1.5 runs, or about 4 where much is left to chance.
+   * They cost about 1.5 runs, or about 4 where much is left to chance; those of
+   * a patch on longer elements have a quarter of the unknowns.
    *
    * @param of the run whose error is wanted; its mesh must have a coarser one
    * @throws ComputationError if a companion fails
