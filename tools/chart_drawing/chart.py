@@ -66,16 +66,17 @@ class Chart:
                                      f"{key.strip()} = {value.strip()}")
         return lines
 
-    def table(self, rows, times=None, name="numbers.csv"):
+    def table(self, rows, times=None, name="numbers.csv",
+              clock="processor time"):
         """Writes rows (dictionaries) as CSV, with machine, versions and
-        settings in its head. times: what a time of 1 is."""
+        settings in its head. times: what a time of 1 is, by which clock."""
         head = [f"{self.name}, {self.mode} mode, "
                 f"{datetime.date.today().isoformat()}",
                 f"machine: {processor()}", f"program: {self.program.version}",
                 f"Python {platform.python_version()}, numpy {np.__version__}, "
                 f"matplotlib {matplotlib.__version__}"]
         if times:
-            head.append(f"times: processor time, 1 is {times}")
+            head.append(f"times: {clock}, 1 is {times}")
         head += self.settings()
         head += [f"failed: {run}: {why}" for run, why in self.keeper.failures]
         columns = list(dict.fromkeys(key for row in rows for key in row))
