@@ -62,6 +62,7 @@ namespace asperity
     , exchange(contact.table(),
                parameters.heat.tool,
                period,
+               // shorter waves change nothing (doc/theory.md)
                contact.table().elements.size() / 2,
                temperature_of_tool(parameters) - start)
     , chip_rise(contact.table().JxW.size(), 0.)

@@ -16,7 +16,7 @@ namespace asperity
   {
     /** Of the exchange, relative; it decides about temperatures, not about the
      *  balance of heat. */
-    constexpr double tolerance = 1e-7;
+    constexpr double tolerance = 1e-8;
 
     /** What the temperature of the tool's surface answers to heat at points. */
     class ToolResponse

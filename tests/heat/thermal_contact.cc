@@ -179,7 +179,7 @@ TEST(ThermalContact, balances_temperatures_at_each_spot)
         EXPECT_NEAR(step.to_tool[q],
                     0.5 * heat.friction[q] +
                       heat.conductance[q] * (step.chip[q] - step.tool[q]),
-                    1e-6 * scale);
+                    1e-7 * scale);
       EXPECT_LT(step.iterations, 60u);
     }
   EXPECT_NEAR(pair.contact.heat_of_tool() + pair.heat_of_chip(),
