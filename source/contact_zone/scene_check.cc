@@ -125,7 +125,15 @@ namespace asperity
   unsigned int
   MeshParameters::fewest_quadrature_points() const
   {
-    return std::max(2u, degree);
+    return std::max(2u, knot_multiplicity() > 1 ? degree + 1 : degree);
+  }
+
+
+
+  unsigned int
+  MeshParameters::knot_multiplicity() const
+  {
+    return continuity == Continuity::smooth ? 1 : degree;
   }
 
 
@@ -213,6 +221,28 @@ namespace asperity
                          chip->name() +
                          "`, which never yields; expected none, Coulomb, or a "
                          "law of plasticity.");
+    }
+
+    /** Finite elements are there to compare with: dry profiles on a mesh that
+     *  stays. */
+    void
+    check_continuity(const SceneParameters     &p,
+                     const ParameterDeclarator &parameters)
+    {
+      if (p.mesh.continuity == Continuity::smooth)
+        return;
+      const auto fail = [&](const std::string &found,
+                            const std::string &expected) {
+        throw InputError(parameters.where("Mesh/Continuity") +
+                         ": found C0 with " + found + "; expected smooth, or " +
+                         expected + ".");
+      };
+      if (p.geometry.dimension == 3)
+        fail("a patch", "Geometry/Dimension = 2");
+      if (p.lubrication.model != LubricantModel::none)
+        fail("a lubricant", "Lubrication/Model = none");
+      if (p.mesh.adaptive_levels > 0)
+        fail("a mesh that changes", "Mesh/Adaptive levels = 0");
     }
 
     /** A mesh that changes takes a dry chip at rest with it, and no more. */
@@ -306,6 +336,7 @@ namespace asperity
                        "elements that it counts in; expected 0.");
     material.check(parameters);
     check_interface(*this, parameters);
+    check_continuity(*this, parameters);
     check_adaptive_levels(*this, parameters);
     if (geometry.dimension == 3)
       check_patch(*this, parameters);

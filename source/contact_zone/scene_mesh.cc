@@ -92,14 +92,14 @@ namespace asperity
     }
 
     KnotVector
-    periodic_knots(const unsigned int degree,
-                   const double       period,
-                   const unsigned int n)
+    periodic_knots(const MeshParameters &mesh,
+                   const double          period,
+                   const unsigned int    n)
     {
       std::vector<double> columns(n + 1);
       for (unsigned int i = 0; i <= n; ++i)
         columns[i] = period * i / n;
-      return KnotVector(degree, columns, true);
+      return KnotVector(mesh.degree, columns, true, mesh.knot_multiplicity());
     }
   } // namespace
 
@@ -121,10 +121,11 @@ namespace asperity
     choose_solver(parameters,
                   largest_number_of_elements<dim>(mesh, n * n_across, rows));
     std::array<KnotVector, dim> knots;
-    knots[0]       = periodic_knots(mesh.degree, length, n);
-    knots[dim - 1] = KnotVector(mesh.degree, rows);
+    knots[0] = periodic_knots(mesh, length, n);
+    knots[dim - 1] =
+      KnotVector(mesh.degree, rows, false, mesh.knot_multiplicity());
     if constexpr (dim == 3)
-      knots[1] = periodic_knots(mesh.degree, width, n_across);
+      knots[1] = periodic_knots(mesh, width, n_across);
     space = std::make_shared<SplineSpace<dim>>(knots);
     for (unsigned int level = 1; level <= mesh.n_even_levels(); ++level)
       space->refine_to_level(

@@ -67,8 +67,15 @@ namespace asperity
     parameters.integer("Degree",
                        degree,
                        Range::between(1, 4),
-                       "Degree p of the splines; they are p - 1 times "
-                       "continuously differentiable.");
+                       "Degree p of the splines.");
+    parameters.choice("Continuity",
+                      continuity,
+                      {{"smooth", Continuity::smooth},
+                       {"C0", Continuity::continuous}},
+                      "Between elements. smooth: splines, p - 1 times "
+                      "continuously differentiable; C0: with kinks, the "
+                      "finite elements Q_p, with p times as many functions in "
+                      "each direction, to compare with.");
     parameters.integer("Spans",
                        spans,
                        Range::between(4, most_spans),
@@ -114,8 +121,9 @@ namespace asperity
                        quadrature,
                        Range::between(0, 10),
                        "Gauss points in each direction of an element; 0 means "
-                       "the degree, at which the smooth splines are stable and "
-                       "mu changes by 1e-4 against degree + 1; fewer leave "
+                       "the degree, at which smooth splines are stable and "
+                       "mu changes by 1e-4 against degree + 1, or degree + 1 "
+                       "with `Continuity = C0`; fewer leave "
                        "motions without stress and are refused.");
     declare_offset(parameters, offset);
   }

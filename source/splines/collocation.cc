@@ -38,7 +38,7 @@ namespace asperity
           continue;
         rows[i].target -= std::round((parameters[i] - t) / length) * period;
         for (unsigned int j = 0; j <= knots.degree(); ++j)
-          if (span + j >= knots.n_basis())
+          if (knots.is_wrapped(span, j))
             rows[i].target -= rows[i].values[j] * period;
       }
     return rows;
@@ -63,10 +63,9 @@ namespace asperity
           row.functions = knots.span_functions(span);
           row.values =
             knots.evaluate(span, begin + quadrature.point(q)[0] * width, 2)[2];
-          if (knots.is_periodic())
-            for (unsigned int j = 0; j <= knots.degree(); ++j)
-              if (span + j >= knots.n_basis())
-                row.target -= row.values[j] * period;
+          for (unsigned int j = 0; j <= knots.degree(); ++j)
+            if (knots.is_wrapped(span, j))
+              row.target -= row.values[j] * period;
           rows.push_back(row);
           weights.push_back(bending * width * quadrature.weight(q));
         }

@@ -23,12 +23,19 @@ namespace asperity
 
   KnotVector::KnotVector(const unsigned int         degree,
                          const std::vector<double> &breakpoints,
-                         const bool                 periodic)
+                         const bool                 periodic,
+                         const unsigned int         multiplicity)
     : degree_(degree)
     , periodic_(periodic)
+    , multiplicity_(multiplicity)
     , breakpoints_(breakpoints)
   {
     check_degree(degree);
+    if (multiplicity < 1 || multiplicity > degree)
+      throw InputError("Knots of a spline of degree " + std::to_string(degree) +
+                       " have the multiplicity " +
+                       std::to_string(multiplicity) + ", but 1 to " +
+                       std::to_string(degree) + " is expected.");
     if (breakpoints.size() < 2)
       throw InputError("A knot vector has " +
                        std::to_string(breakpoints.size()) +
@@ -50,18 +57,27 @@ namespace asperity
 
     if (periodic)
       {
+        // Knot i of the sequence that repeats itself, where the last of those
+        // at the start of the period has the index degree.
         const double period = breakpoints.back() - breakpoints.front();
-        for (unsigned int i = n_spans - degree; i < n_spans; ++i)
-          knots_.push_back(breakpoints[i] - period);
-        knots_.insert(knots_.end(), breakpoints.begin(), breakpoints.end());
-        for (unsigned int i = 1; i <= degree; ++i)
-          knots_.push_back(breakpoints[i] + period);
+        const int    n      = n_spans * multiplicity;
+        for (int i = -int(degree); i <= n + int(degree); ++i)
+          {
+            const int place = i + int(multiplicity) - 1;
+            const int turn  = (place < 0 ? -1 : place / n);
+            const int point = (place - turn * n) / int(multiplicity);
+            // The end of the period bit by bit.
+            knots_.push_back(turn == 1 && point == 0 ?
+                               breakpoints.back() :
+                               breakpoints[point] + turn * period);
+          }
       }
     else
       {
-        knots_.assign(degree, breakpoints.front());
-        knots_.insert(knots_.end(), breakpoints.begin(), breakpoints.end());
-        knots_.insert(knots_.end(), degree, breakpoints.back());
+        knots_.assign(degree + 1, breakpoints.front());
+        for (unsigned int i = 1; i < n_spans; ++i)
+          knots_.insert(knots_.end(), multiplicity, breakpoints[i]);
+        knots_.insert(knots_.end(), degree + 1, breakpoints.back());
       }
     finish();
   }
@@ -160,9 +176,17 @@ namespace asperity
 
 
   unsigned int
+  KnotVector::multiplicity() const
+  {
+    return multiplicity_;
+  }
+
+
+
+  unsigned int
   KnotVector::n_basis() const
   {
-    return periodic_ ? n_spans() : knots_.size() - degree_ - 1;
+    return periodic_ ? n_spans() * multiplicity_ : knots_.size() - degree_ - 1;
   }
 
 
@@ -242,6 +266,14 @@ namespace asperity
           functions[j] %= n_basis();
       }
     return functions;
+  }
+
+
+
+  bool
+  KnotVector::is_wrapped(const unsigned int span, const unsigned int j) const
+  {
+    return periodic_ && span_knot_[span] - degree_ + j >= n_basis();
   }
 
 
@@ -336,16 +368,20 @@ namespace asperity
             halved.push_back((breakpoints_[i] + breakpoints_[i + 1]) / 2.);
           }
         halved.push_back(back());
-        return KnotVector(degree_, halved, true);
+        return KnotVector(degree_, halved, true, multiplicity_);
       }
 
     std::vector<double> halved;
     for (unsigned int i = 0; i < knots_.size(); ++i)
       {
         if (i > 0 && knots_[i - 1] < knots_[i])
-          halved.push_back((knots_[i - 1] + knots_[i]) / 2.);
+          halved.insert(halved.end(),
+                        multiplicity_,
+                        (knots_[i - 1] + knots_[i]) / 2.);
         halved.push_back(knots_[i]);
       }
-    return from_knots(degree_, halved);
+    KnotVector result    = from_knots(degree_, halved);
+    result.multiplicity_ = multiplicity_;
+    return result;
   }
 } // namespace asperity

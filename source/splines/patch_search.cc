@@ -65,11 +65,9 @@ namespace asperity
                 const unsigned int k =
                   fy[j] * patch.knot_vector(0).n_basis() + fx[i];
                 Tensor<1, 2> control = patch.control_points()[k];
-                if (patch.knot_vector(0).is_periodic() &&
-                    spans[0] + i >= patch.knot_vector(0).n_basis())
+                if (patch.knot_vector(0).is_wrapped(spans[0], i))
                   control += patch.period(0);
-                if (patch.knot_vector(1).is_periodic() &&
-                    spans[1] + j >= patch.knot_vector(1).n_basis())
+                if (patch.knot_vector(1).is_wrapped(spans[1], j))
                   control += patch.period(1);
                 const double w =
                   C(j * fx.size() + i, b) *

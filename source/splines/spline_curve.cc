@@ -152,7 +152,7 @@ namespace asperity
   {
     Tensor<1, 2> point = control_points_[function];
     // A function that was wrapped belongs to the next turn.
-    if (is_periodic() && span + j >= knot_vector_.n_basis())
+    if (knot_vector_.is_wrapped(span, j))
       point += period_;
     const double weight = (is_rational() ? weights_[function] : 1.);
     Tensor<1, 3> result;

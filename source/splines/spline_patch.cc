@@ -156,11 +156,9 @@ namespace asperity
         {
           const unsigned int i     = index(0, functions[0][a], functions[1][b]);
           Tensor<1, 2>       point = control_points_[i];
-          if (knot_vectors[0].is_periodic() &&
-              span[0] + a >= knot_vectors[0].n_basis())
+          if (knot_vectors[0].is_wrapped(span[0], a))
             point += periods[0];
-          if (knot_vectors[1].is_periodic() &&
-              span[1] + b >= knot_vectors[1].n_basis())
+          if (knot_vectors[1].is_wrapped(span[1], b))
             point += periods[1];
           for (unsigned int k = 0; k <= n; ++k)
             for (unsigned int l = 0; k + l <= n; ++l)

@@ -1,9 +1,14 @@
 #include <asperity/base/errors.h>
+#include <asperity/contact_zone/scene_input.h>
+
+#include <deal.II/base/parameter_handler.h>
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
+#include "../files.h"
 #include "scene_examples.h"
 
 using namespace asperity;
@@ -177,6 +182,47 @@ TEST(SlidingRun, gauss_point_contact_agrees_with_mortar)
   const CompleteRun gauss_point(parameters);
   const double      mu = mortar.run.friction().mu;
   EXPECT_NEAR(gauss_point.run.friction().mu, mu, 0.01 * mu);
+}
+
+// Another discretization of the same chip: they differ by what their meshes
+// err.
+TEST(SlidingRun, finite_elements_have_the_mu_of_splines)
+{
+  SceneParameters parameters = coarse_scene();
+  parameters.mesh.spans      = 80;
+  parameters.mesh.refinement = 2;
+  const CompleteRun splines(parameters);
+  parameters.mesh.continuity = Continuity::continuous;
+  const CompleteRun elements(parameters);
+  EXPECT_GT(elements.scene.space->n_functions(),
+            3 * splines.scene.space->n_functions());
+  EXPECT_NEAR(elements.run.friction().mu,
+              splines.run.friction().mu,
+              0.02 * splines.run.friction().mu);
+}
+
+TEST(SlidingRun, finite_elements_are_for_dry_profiles_on_a_mesh_that_stays)
+{
+  const std::vector<std::array<std::string, 2>> others = {
+    {"Geometry/Dimension", "3"},
+    {"Lubrication/Model", "pocket"},
+    {"Mesh/Adaptive levels", "1"}};
+  for (const auto &[path, value] : others)
+    {
+      dealii::ParameterHandler handler;
+      ParameterDeclarator      declarator(handler);
+      SceneParameters          parameters;
+      parameters.declare(declarator);
+      declarator.set("Mesh/Continuity", "C0");
+      EXPECT_NO_THROW(parameters.check(declarator));
+      declarator.set(path, value);
+      const std::string message =
+        message_of<InputError>([&]() { parameters.check(declarator); });
+      EXPECT_EQ(message.find("entry 'Mesh/Continuity': found C0 with "), 0u)
+        << message;
+      EXPECT_NE(message.find("expected smooth, or " + path), std::string::npos)
+        << message;
+    }
 }
 
 TEST(SlidingRun, inertia_changes_little_at_200_m_per_min)

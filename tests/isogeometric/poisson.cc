@@ -201,11 +201,14 @@ namespace
     std::unique_ptr<SplineSpace<2>> space;
     PatchGeometry<2>                geometry;
 
-    Patch(const unsigned int degree, const bool periodic)
+    Patch(const unsigned int degree,
+          const bool         periodic,
+          const unsigned int multiplicity = 1)
     {
       space = std::make_unique<SplineSpace<2>>(
-        KnotVector(degree, {0., 0.4, 0.8, 1.2, 1.6, 2.}, periodic),
-        KnotVector(degree, {0., 0.5, 1.}));
+        KnotVector(
+          degree, {0., 0.4, 0.8, 1.2, 1.6, 2.}, periodic, multiplicity),
+        KnotVector(degree, {0., 0.5, 1.}, false, multiplicity));
       geometry = PatchGeometry<2>::from_map(*space, [](const Point<2> &x) {
         return Point<2>(x[0] + 0.1 * std::sin(3. * x[1]),
                         x[1] * (1. + 0.15 * std::sin(M_PI * x[0])));
@@ -303,6 +306,30 @@ TEST(Poisson, optimal_order_on_hierarchical_meshes)
                      p,
                      periodic ? "periodic, hierarchical" :
                                 "open, hierarchical");
+      }
+}
+
+/** Functions of finite elements are splines whose knots are as many as their
+ *  degree, on hanging nodes, too. */
+TEST(Poisson, optimal_order_with_functions_that_have_kinks)
+{
+  for (const unsigned int p : {2u, 3u})
+    for (const bool periodic : {false, true})
+      {
+        std::vector<Errors> errors;
+        for (unsigned int level = 1; level <= 3; ++level)
+          {
+            Patch patch(p, periodic, p);
+            patch.refine(level, everywhere);
+            // p nodes of Q_p a cell and direction.
+            const unsigned int n = 5u << level, m = 2u << level;
+            EXPECT_EQ(patch.space->n_functions(),
+                      (p * n + (periodic ? 0 : 1)) * (p * m + 1));
+            patch.refine(level + 1, near_the_bump);
+            errors.push_back(
+              solve(*patch.space, patch.geometry, Solution{periodic}));
+          }
+        expect_order(errors, p, periodic ? "periodic, C0" : "open, C0");
       }
 }
 

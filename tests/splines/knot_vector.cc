@@ -11,7 +11,8 @@ using namespace asperity;
 
 namespace
 {
-  /** Open, periodic and with repeated knots; uneven spans. */
+  /** Open, periodic and with repeated knots, those of finite elements among
+   *  them; uneven spans. */
   std::vector<KnotVector>
   knot_vectors(const unsigned int p)
   {
@@ -27,6 +28,9 @@ namespace
     return {KnotVector(p, breakpoints),
             KnotVector(p, breakpoints, true),
             KnotVector(p, {0., 1.}),
+            KnotVector(p, breakpoints, false, p),
+            KnotVector(p, breakpoints, true, p),
+            KnotVector(p, breakpoints, true, (p + 1) / 2),
             KnotVector::from_knots(p, repeated)};
   }
 
@@ -118,8 +122,7 @@ TEST(KnotVector, greville_abscissae_reproduce_the_identity)
             double       value = 0., slope = 0.;
             for (unsigned int j = 0; j <= p; ++j)
               {
-                const bool turned =
-                  knots.is_periodic() && span + j >= knots.n_basis();
+                const bool   turned = knots.is_wrapped(span, j);
                 const double control =
                   greville[functions[j]] + (turned ? period : 0.);
                 value += N[0][j] * control;

@@ -16,6 +16,7 @@ Usage: tools/benchmarks/interface_shear.py [--asperity PROGRAM] [--to FOLDER]
          shear factors of 0, 0.5, 0.8 and 1, and a chart of them
   mesh   mu over mesh and time steps for shear factors of 0.5, 0.8 and 0.99
   steps  what the time steps err in the sixteen scenes, against 144 + 384 of them
+  fine   mu of the sixteen scenes at which mesh and steps have converged
 
 Tables go to the screen in Markdown, runs into FOLDER (default output/benchmarks).
 Run it on a quiet machine; compare times within one run only.
@@ -336,10 +337,32 @@ def steps(arguments):
                   flush=True)
 
 
+def fine(arguments):
+    print_head("scene | p [MPa] | v [m/min] | T [degC] | m | mu, 320 spans, 288 + "
+               "384 steps | with 144 + 192 steps [%] | with 640 spans [%]")
+    for scene, case in ((s, c) for s in ("R0", "R1") for c in CASES):
+        for m in (0.5, 0.8):
+            mu, coarser, finer = (
+                run(arguments,
+                    "fine_{}_p{}_v{}_T{}".format(scene, *case) +
+                    f"_m{m}_{spans}_{ramp}",
+                    {**SETTINGS, **shear(m), "Mesh/Spans": spans,
+                     "Mesh/Refinement levels": int(math.log2(spans // 20)),
+                     "Protocol/Ramp steps": ramp,
+                     "Protocol/Slide steps": slide},
+                    reference_scene(scene, case))["friction"]["mu"]
+                for spans, ramp, slide in ((320, 288, 384), (320, 144, 192),
+                                           (640, 288, 384)))
+            print("| {} | {} | {} | {} | ".format(scene, *case) +
+                  f"{m} | {mu:.4f} | {100. * (coarser / mu - 1.):+.2f} | "
+                  f"{100. * (finer / mu - 1.):+.2f} |", flush=True)
+
+
 def main():
     parser = arguments_of(__doc__)
     tasks = {"wave": wave, "standing": standing, "junction": junction,
-             "cases": cases, "mesh": mesh, "steps": steps}
+             "cases": cases, "mesh": mesh, "steps": steps,
+             "fine": fine}
     parser.add_argument("task", choices=tasks)
     arguments = parser.parse_args()
     arguments.to = os.path.abspath(arguments.to)

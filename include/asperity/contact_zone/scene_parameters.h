@@ -94,17 +94,24 @@ namespace asperity
     declare(ParameterDeclarator &parameters);
   };
 
+  enum class Continuity
+  {
+    smooth,    ///< p - 1 times continuously differentiable: splines
+    continuous ///< as the functions of finite elements of degree p
+  };
+
   struct MeshParameters
   {
     static constexpr unsigned int most_spans = 4096, most_levels = 6;
 
-    unsigned int                degree = 2;
-    unsigned int                spans  = 160;
+    unsigned int                degree     = 2;
+    Continuity                  continuity = Continuity::smooth;
+    unsigned int                spans      = 160;
     std::optional<unsigned int> across; ///< elements across, of all levels
     unsigned int                refinement = 3;
     double       strip      = 0.1e-6; ///< depth of the finest cells [m]
     double       grading    = 1.5;    ///< growth of rows with depth
-    unsigned int quadrature = 0;      ///< Gauss points; 0: the degree
+    unsigned int quadrature = 0;      ///< Gauss points; 0: the fewest
 
     /** Of both surfaces along x, and of sheets along y, too, against the mesh,
      *  in elements of the contact edge. */
@@ -126,7 +133,11 @@ namespace asperity
     void
     check(const ParameterDeclarator &parameters, const double height) const;
 
-    /** Gauss points in each direction of an element, at least the degree. */
+    /** Of each knot, in the mesh that the continuity makes. */
+    unsigned int
+    knot_multiplicity() const;
+
+    /** Gauss points in each direction of an element. */
     unsigned int
     n_quadrature_points() const;
 

@@ -19,15 +19,20 @@ namespace asperity
     KnotVector() = default;
 
     /**
-     * Maximal continuity: every interior breakpoint is a simple knot.
+     * Every interior breakpoint, of a periodic basis each, is a knot as many
+     * times as its multiplicity: the functions are degree - multiplicity times
+     * continuously differentiable there, splines with 1, the functions of
+     * finite elements with the degree.
      * @param breakpoints strictly increasing, from the first to the last
      *   parameter (periodic: from the start of the period to its end)
      * @throws InputError if degree < 1 or breakpoints do not increase or, when
-     * periodic, if there are fewer than degree + 1 spans.
+     * periodic, if there are fewer than degree + 1 spans, or if the
+     * multiplicity is not in 1 .. degree.
      */
     KnotVector(const unsigned int         degree,
                const std::vector<double> &breakpoints,
-               const bool                 periodic = false);
+               const bool                 periodic     = false,
+               const unsigned int         multiplicity = 1);
 
     /** Periodic, n_spans equal spans from `begin` to `begin` + `period`.
      *  @throws InputError as above, or if the period is not positive */
@@ -46,6 +51,10 @@ namespace asperity
 
     bool
     is_periodic() const;
+
+    /** Of new breakpoints, and of all that the constructor was given. */
+    unsigned int
+    multiplicity() const;
 
     /** Distinct functions; of a periodic basis each counts once. */
     unsigned int
@@ -83,6 +92,11 @@ namespace asperity
     std::vector<unsigned int>
     span_functions(const unsigned int span) const;
 
+    /** Whether the j-th of span_functions(span) is the one of a periodic basis
+     *  that begins in the next period, wrapped. */
+    bool
+    is_wrapped(const unsigned int span, const unsigned int j) const;
+
     /**
      * Values and derivatives (Piegl and Tiller A2.3) of the degree + 1
      * functions of the span at t, which is evaluated with the span's
@@ -101,7 +115,8 @@ namespace asperity
     std::vector<double>
     greville() const;
 
-    /** Every span halved; continuity at old knots as before. */
+    /** Every span halved; continuity at old knots as before, and new ones of
+     *  the same multiplicity. */
     KnotVector
     dyadic_refinement() const;
 
@@ -109,8 +124,9 @@ namespace asperity
     void
     finish();
 
-    unsigned int        degree_   = 0;
-    bool                periodic_ = false;
+    unsigned int        degree_       = 0;
+    bool                periodic_     = false;
+    unsigned int        multiplicity_ = 1;
     std::vector<double> knots_;
     std::vector<double> breakpoints_;
     std::vector<unsigned int>
