@@ -46,6 +46,25 @@ namespace asperity
   namespace
   {
     void
+    declare_functions(ParameterDeclarator &parameters,
+                      unsigned int        &degree,
+                      Continuity          &continuity)
+    {
+      parameters.integer("Degree",
+                         degree,
+                         Range::between(1, 4),
+                         "Degree p of the splines.");
+      parameters.choice(
+        "Continuity",
+        continuity,
+        {{"smooth", Continuity::smooth}, {"C0", Continuity::continuous}},
+        "Between elements. smooth: splines, p - 1 times "
+        "continuously differentiable; C0: with kinks, the "
+        "finite elements Q_p, with p times as many functions in "
+        "each direction, to compare with.");
+    }
+
+    void
     declare_offset(ParameterDeclarator &parameters, double &offset)
     {
       parameters.number("Offset",
@@ -64,18 +83,7 @@ namespace asperity
   MeshParameters::declare(ParameterDeclarator &parameters)
   {
     const auto in_section = parameters.subsection("Mesh");
-    parameters.integer("Degree",
-                       degree,
-                       Range::between(1, 4),
-                       "Degree p of the splines.");
-    parameters.choice("Continuity",
-                      continuity,
-                      {{"smooth", Continuity::smooth},
-                       {"C0", Continuity::continuous}},
-                      "Between elements. smooth: splines, p - 1 times "
-                      "continuously differentiable; C0: with kinks, the "
-                      "finite elements Q_p, with p times as many functions in "
-                      "each direction, to compare with.");
+    declare_functions(parameters, degree, continuity);
     parameters.integer("Spans",
                        spans,
                        Range::between(4, most_spans),

@@ -4,12 +4,22 @@
 Usage: tools/benchmarks/ploughing.py [--asperity PROGRAM] [--to FOLDER]
                                      [--spans N]
 
-The block does not harden. mu of a cone whose flank rises by theta is
-2 tan(theta)/pi, that of a ball of radius R with a contact of radius a
-  2 (R^2/a^2 asin(a/R) - sqrt(R^2/a^2 - 1))/pi,
-both where the front half of the contact alone bears the load, which pushes with
-the same pressure everywhere, and nothing piles up (J. Goddard, H. Wilman, Wear 5
-(1962) 114). a of the ball comes from the contact fraction of the run.
+The block does not harden. Where what touches bears the same pressure everywhere
+mu is the area of the contact as one sees it along the motion over that from
+above. If the front half of a disc of radius a touches, and nothing piles up, it
+is 2 tan(theta)/pi of a cone whose flank rises by theta, and
+  2 (R^2/a^2 asin(a/R) - sqrt(R^2/a^2 - 1))/pi
+of a ball of radius R (J. Goddard, H. Wilman, Wear 5 (1962) 114). If the block
+springs back behind the tip, so that it touches there, too, up to a line across
+the motion at a sin(omega) (S. Lafaye, C. Gauthier, R. Schirrer, Tribol. Lett. 21
+(2006) 95), the line's own area is taken off: with c, s the cosine and sine
+  A_n = a^2 (pi/2 + omega + s c),
+  A_t = a^2 tan(theta) (c - s^2 log((1 + c)/s))                      of a cone,
+  A_t = r^2 asin(a c/r) - a c sqrt(R^2 - a^2), r^2 = R^2 - a^2 s^2   of a ball.
+a and omega are those of the run's last picture: the largest half width of what
+touches and how far it reaches behind the tip. Its own areas (`shape`), with
+whatever piles up, tell how much of mu is the shape of the contact; the rest are
+pressures that differ over it.
 
 The table goes to the screen in Markdown, runs into FOLDER (default
 output/benchmarks). Some ten minutes a run.
@@ -17,8 +27,14 @@ output/benchmarks). Some ten minutes a run.
 
 import math
 import os
+import sys
+
+import numpy as np
 
 from dry_scene import ROOT, arguments_of, print_head, run
+
+sys.path.insert(0, os.path.join(ROOT, "tools"))
+from patch_pictures import Face  # noqa: E402
 
 PERIOD = 4.  # um
 SPACING = 0.05  # um, of the map
@@ -65,10 +81,37 @@ def scene(path, spans):
             "Protocol/Ramp fraction": 0.15, "Protocol/Window fraction": 0.3}
 
 
-def goddard_wilman(a):
-    """mu of a ball with a contact of radius a [um]."""
-    q = RADIUS / a
-    return 2. / math.pi * (q * q * math.asin(1. / q) - math.sqrt(q * q - 1.))
+def projected_areas(name, a, omega):
+    """(A_t, A_n) of a contact of radius a [um] that reaches back to omega."""
+    c, s = math.cos(omega), math.sin(omega)
+    normal = a * a * (0.5 * math.pi + omega + s * c)
+    if name == "cone":
+        behind = s * s * math.log((1. + c) / s) if s > 0. else 0.
+        return a * a * math.tan(ANGLE) * (c - behind), normal
+    r = math.sqrt(RADIUS**2 - (a * s)**2)
+    return (r * r * math.asin(a * c / r) -
+            a * c * math.sqrt(RADIUS**2 - a * a), normal)
+
+
+def shape(name, folder):
+    """Half width, way back and way ahead of what touches at the end [um], and
+    mu of its shape under an even pressure."""
+    face = Face(folder, None)
+    touches = face.pressure > 0.02 * face.pressure.max()
+    corners = face.corners[touches]
+    # The tip is in the middle; the chip comes from negative x.
+    corners[..., :2] = (corners[..., :2] - corners[:, :1, :2] +
+                        corners[:, :1, :2] % PERIOD - 0.5 * PERIOD)
+    x, y = corners[..., 0].mean(axis=1), corners[..., 1].mean(axis=1)
+    diagonals = corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1]
+    area = 0.5 * np.abs(diagonals[0][:, 0] * diagonals[1][:, 1] -
+                        diagonals[0][:, 1] * diagonals[1][:, 0])
+    r = np.hypot(x, y)
+    slope = (math.tan(ANGLE) if name == "cone"
+             else r / np.sqrt(RADIUS**2 - r * r))
+    mu = np.sum(area * slope * -x / r) / np.sum(area)
+    return (np.abs(corners[..., 1]).max(), max(0., corners[..., 0].max()),
+            -corners[..., 0].min(), mu)
 
 
 def main():
@@ -79,8 +122,9 @@ def main():
     os.makedirs(arguments.to, exist_ok=True)
     common = os.path.join(ROOT, "parameter_files", "surface_patches",
                           "common.prm")
-    print_head("tool | contact radius [um] | mu by the formula | mu | off [%] | "
-               "largest plastic strain | steps | Newton iterations | time [s]")
+    print_head("tool | half width, behind, ahead [um] | mu, Goddard and Wilman | "
+               "Lafaye | shape | run | largest plastic strain | steps | "
+               "Newton iterations | time [s]")
     for name, height in (("cone", cone), ("ball", ball)):
         path = os.path.join(arguments.to, f"{name}.txt")
         write_map(path, height)
@@ -88,13 +132,14 @@ def main():
                       scene(path, arguments.spans), common, may_fail=True)
         if summary is None:
             continue
-        mu, cost = summary["friction"]["mu"], summary["cost"]
-        # The front half bears the load.
-        radius = PERIOD * math.sqrt(2. * summary["contact_fraction"] / math.pi)
-        exact = (2. * math.tan(ANGLE) / math.pi if name == "cone"
-                 else goddard_wilman(radius))
-        print(f"| {name} | {radius:.2f} | {exact:.4f} | {mu:.4f} | "
-              f"{100. * (mu / exact - 1.):+.1f} | "
+        a, behind, ahead, of_shape = shape(
+            name, os.path.join(arguments.to, f"plough_{name}"))
+        without, back = (
+            np.divide(*projected_areas(name, a, omega))
+            for omega in (0., math.asin(min(1., behind / a))))
+        cost = summary["cost"]
+        print(f"| {name} | {a:.2f}, {behind:.2f}, {ahead:.2f} | {without:.4f} | "
+              f"{back:.4f} | {of_shape:.4f} | {summary['friction']['mu']:.4f} | "
               f"{summary['end']['max_plastic_strain']:.2f} | {cost['steps']} | "
               f"{cost['newton_iterations']} | {cost['wall_time']:.0f} |",
               flush=True)
