@@ -170,9 +170,8 @@ namespace asperity
       options.motion = {{motion[0], motion[1]}};
     contact = std::make_unique<ContactAssembler<dim>>(
       space, geometry, Edge::top, tool, options, share_);
-    surface_layer = std::make_unique<SurfaceLayer<dim>>(chip->table(),
-                                                        contact->table(),
-                                                        length);
+    surface_layer =
+      std::make_unique<SurfaceLayer<dim>>(chip->table(), contact->table());
   }
 
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 namespace asperity
@@ -16,6 +15,60 @@ namespace asperity
     {
       return std::lround(std::pow(body.points_per_element, 1. / dim));
     }
+
+    /** Sorted coordinates of points that lie symmetrically in a period from 0
+     *  on, as Gauss points of its cells do. */
+    class PeriodicCoordinates
+    {
+    public:
+      /** The points on both sides, and the weight of the second. */
+      struct Neighbours
+      {
+        unsigned int before, after;
+        double       weight;
+      };
+
+      PeriodicCoordinates() = default;
+
+      /** @param values each as often as there are points with it */
+      explicit PeriodicCoordinates(std::vector<double> values)
+      {
+        std::sort(values.begin(), values.end());
+        period = values.front() + values.back();
+        for (const double value : values)
+          if (x.empty() || value - x.back() > 1e-9 * period)
+            x.push_back(value);
+      }
+
+      unsigned int
+      size() const
+      {
+        return x.size();
+      }
+
+      unsigned int
+      nearest(const double value) const
+      {
+        return std::lower_bound(x.begin(), x.end(), value - 1e-9 * period) -
+               x.begin();
+      }
+
+      Neighbours
+      around(const double value) const
+      {
+        const unsigned int n     = size();
+        const unsigned int first = std::upper_bound(x.begin(), x.end(), value) -
+                                   x.begin(); // that is larger
+        const unsigned int before = (first + n - 1) % n, after = first % n;
+        const double       begin = x[before] - (first == 0 ? period : 0.),
+                     end         = x[after] + (first == n ? period : 0.);
+        return {before, after, (value - begin) / (end - begin)};
+      }
+
+    private:
+      std::vector<double> x;
+      double              period = 0.;
+    };
   } // namespace
 
 
@@ -51,89 +104,54 @@ namespace asperity
 
 
 
-  template <>
-  SurfaceLayer<2>::SurfaceLayer(const BasisTable<2> &body,
-                                const BasisTable<2> &edge,
-                                const double         period)
+  template <int dim>
+  SurfaceLayer<dim>::SurfaceLayer(const BasisTable<dim> &body,
+                                  const BasisTable<dim> &edge)
     : columns(columns_under(body, edge))
   {
+    const auto parameter_of = [&](const Column &column) {
+      return body.parameter[column.top];
+    };
+    // Of the columns, which are a grid, along each parameter of the edge.
+    std::array<PeriodicCoordinates, dim - 1> along;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      {
+        std::vector<double> values;
+        for (const Column &column : columns)
+          values.push_back(parameter_of(column)[d]);
+        along[d] = PeriodicCoordinates(values);
+      }
+    const auto number = [&](const Column &column) {
+      unsigned int n = 0;
+      for (unsigned int d = dim - 1; d-- > 0;)
+        n = n * along[d].size() + along[d].nearest(parameter_of(column)[d]);
+      return n;
+    };
     std::sort(columns.begin(),
               columns.end(),
               [&](const Column &a, const Column &b) {
-                return body.parameter[a.top][0] < body.parameter[b.top][0];
+                return number(a) < number(b);
               });
     for (const Column &column : columns)
       area.push_back(body.JxW[column.top]);
-    const unsigned int n = columns.size();
-    const auto         x = [&](const unsigned int i) {
-      return body.parameter[columns[i].top][0];
-    };
     for (const auto &parameter : edge.parameter)
       {
-        const unsigned int after =
-          std::upper_bound(columns.begin(),
-                           columns.end(),
-                           parameter[0],
-                           [&](const double value, const Column &column) {
-                             return value < body.parameter[column.top][0];
-                           }) -
-          columns.begin();
-        const unsigned int right = after % n, left = (after + n - 1) % n;
-        const double       begin  = x(left) - (after == 0 ? period : 0.);
-        const double       end    = x(right) + (after == n ? period : 0.);
-        const double       weight = (parameter[0] - begin) / (end - begin);
-        places.push_back({{{left, right}}, {{1. - weight, weight}}});
-      }
-  }
-
-
-
-  template <>
-  SurfaceLayer<3>::SurfaceLayer(const BasisTable<3> &body,
-                                const BasisTable<3> &edge,
-                                const double)
-    : columns(columns_under(body, edge))
-  {
-    for (const Column &column : columns)
-      area.push_back(body.JxW[column.top]);
-    const unsigned int                   n = points_a_direction(body);
-    std::map<unsigned int, unsigned int> first_column; // of a cell
-    for (const auto &element : body.elements)
-      first_column[element.cell] = element.first_point;
-    std::map<unsigned int, unsigned int> column_of; // an uppermost point
-    for (unsigned int i = 0; i < columns.size(); ++i)
-      column_of[columns[i].top] = i;
-
-    for (const auto &element : edge.elements)
-      {
-        const unsigned int first =
-          column_of.at(first_column.at(element.cell) + n * n * (n - 1));
-        // Two neighbours of n in a direction, and the weight of the second.
-        const auto between = [&](const double value, const unsigned int d) {
-          const unsigned int stride = d == 0 ? 1 : n;
-          const auto         x      = [&](const unsigned int i) {
-            return body.parameter[columns[first + i * stride].top][d];
-          };
-          unsigned int i = 0;
-          while (i + 2 < n && value > x(i + 1))
-            ++i;
-          return std::pair<unsigned int, double>(i,
-                                                 (value - x(i)) /
-                                                   (x(i + 1) - x(i)));
-        };
-        for (unsigned int q = 0; q < edge.points_per_element; ++q)
+        Place place;
+        place.column.fill(0);
+        place.weight.fill(1.);
+        for (unsigned int d = dim - 1; d-- > 0;)
           {
-            const auto &at            = edge.parameter[element.first_point + q];
-            const auto [i, wx]        = between(at[0], 0);
-            const auto [j, wy]        = between(at[1], 1);
-            const unsigned int corner = first + j * n + i;
-            places.push_back(
-              {{{corner, corner + 1, corner + n, corner + n + 1}},
-               {{(1. - wx) * (1. - wy),
-                 wx * (1. - wy),
-                 (1. - wx) * wy,
-                 wx * wy}}});
+            const auto between = along[d].around(parameter[d]);
+            for (unsigned int i = 0; i < place.column.size(); ++i)
+              {
+                const bool is_after = (i >> d) % 2 == 1;
+                place.column[i]     = place.column[i] * along[d].size() +
+                                  (is_after ? between.after : between.before);
+                place.weight[i] *=
+                  is_after ? between.weight : 1. - between.weight;
+              }
           }
+        places.push_back(place);
       }
   }
 
@@ -166,8 +184,6 @@ namespace asperity
             sum.plastic_strain += place.weight[i] * a.plastic_strain;
             sum.temperature += place.weight[i] * a.temperature;
           }
-        // Beyond the outermost material points of a cell weights are negative.
-        sum.plastic_strain = std::max(sum.plastic_strain, 0.);
         points.push_back(sum);
       }
     return points;

@@ -60,3 +60,41 @@ TEST(SurfaceLayer, has_no_negative_strain)
   for (const auto &point : scene.surface_layer->at_edge(history))
     EXPECT_EQ(point.plastic_strain, 0.);
 }
+
+// The same in two directions: bilinear between points, also of different cells,
+// and over the ends of both periods.
+TEST(SurfaceLayer, of_a_patch_is_bilinear_over_the_periods)
+{
+  const Scene<3>              scene(narrow_scene());
+  const BasisTable<3>        &body   = scene.chip->table();
+  const std::array<double, 2> period = {{scene.length, scene.width}};
+  std::array<double, 2>       first  = period;
+  for (const auto &position : body.position)
+    for (unsigned int d = 0; d < 2; ++d)
+      first[d] = std::min(first[d], position[d]);
+  // Along a period: straight, and back over its end.
+  const auto part = [&](const double x, const unsigned int d) {
+    const double a = first[d] / period[d], s = x / period[d];
+    if (s > a && s < 1. - a)
+      return s;
+    return 1. - a + (2. * a - 1.) * (s < a ? s + a : s - 1. + a) / (2. * a);
+  };
+  std::vector<MaterialState> history = scene.chip->history();
+  for (std::size_t q = 0; q < history.size(); ++q)
+    {
+      const auto &at            = body.position[q];
+      history[q].plastic_strain = at[0] / period[0] * at[1] / period[1];
+      history[q].temperature    = 300. + at[2] / 1e-6;
+    }
+  const auto  points = scene.surface_layer->at_edge(history);
+  const auto &edge   = scene.contact->table();
+  ASSERT_EQ(points.size(), edge.position.size());
+  for (std::size_t q = 0; q < points.size(); ++q)
+    {
+      const auto &at = edge.position[q];
+      EXPECT_NEAR(points[q].plastic_strain,
+                  part(at[0], 0) * part(at[1], 1),
+                  1e-12);
+      EXPECT_NEAR(points[q].temperature, 300. + at[2] / 1e-6, 1e-9);
+    }
+}

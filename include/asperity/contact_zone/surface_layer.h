@@ -18,11 +18,9 @@ namespace asperity
   {
   public:
     /** @param body table of its cells, periodic along the edge
-     *  @param edge table of its top edge, of the same space
-     *  @param period of the first parameter, in two dimensions */
-    SurfaceLayer(const BasisTable<dim> &body,
-                 const BasisTable<dim> &edge,
-                 const double           period);
+     *  @param edge table of its top edge, of the same space, whose elements are
+     *  a grid */
+    SurfaceLayer(const BasisTable<dim> &body, const BasisTable<dim> &edge);
 
     /** What the edge sees of the body. */
     struct Point
@@ -32,8 +30,7 @@ namespace asperity
     };
 
     /** One for each point of the edge; a strain is not negative. Linear along
-     *  the edge between the material points, in three dimensions bilinear in
-     *  each cell. */
+     *  the edge between the material points, in three dimensions bilinear. */
     std::vector<Point>
     at_edge(const std::vector<MaterialState> &history) const;
 
@@ -63,8 +60,7 @@ namespace asperity
       std::array<double, 1 << (dim - 1)>       weight;
     };
 
-    /** In two dimensions in the order of the first parameter, in three cell by
-     *  cell. */
+    /** Along the first parameter of the edge first. */
     std::vector<Column> columns;
     std::vector<double> area; ///< of the uppermost points [m^dim]
     std::vector<Place>  places;
