@@ -12,6 +12,7 @@ from run_output import RunError, Vtu, heading, part_at, read_summary, steps_of
 UM = 1e6  # micrometres a metre
 MPA = 1e-6
 PRESSURE = "contact pressure [Pa]"
+OIL = "oil pressure [Pa]"
 RELIEF = 0.08  # height over length in space, so that the asperities are seen
 
 
@@ -25,7 +26,7 @@ def is_patch(directory):
 
 class Face:
     """The contact face at a step: corners of its squares [um], mean pressure
-    [MPa] and mean height [um] of each."""
+    of contact and oil [MPa] and mean height [um] of each."""
 
     def __init__(self, directory, step):
         steps = steps_of(directory, "contact")
@@ -37,7 +38,11 @@ class Face:
         picture = part_at(directory, "contact", step)
         # VTK's order of corners, around the square.
         self.corners = picture.in_space[picture.cells] * UM
-        self.pressure = (picture.field(PRESSURE) * MPA)[picture.cells].mean(axis=1)
+        def mean(name):
+            return (picture.field(name) * MPA)[picture.cells].mean(axis=1)
+
+        self.pressure = mean(PRESSURE)
+        self.oil = mean(OIL) if OIL in picture.fields else None
         self.corners[..., 2] -= self.corners[..., 2].mean()
         self.height = self.corners[..., 2].mean(axis=1)
 
@@ -91,20 +96,25 @@ def draw_motion(axes, angle):
 
 
 def plot_patch(directory, step, target):
-    """The chip's face in space, and maps of its height and pressure."""
+    """The chip's face in space, and maps of its height, the contact pressure
+    and, where there is oil, its pressure."""
     face = Face(directory, step)
     touching = face.pressure[face.pressure > 0.]
     # A few hard points would else lighten all the rest.
     limit = np.quantile(touching, 0.99) if touching.size else 1.
-    figure = plt.figure(figsize=(11., 9.))
-    grid = figure.add_gridspec(2, 2, height_ratios=(1.3, 1.), left=0.07,
+    n_maps = 2 if face.oil is None else 3
+    figure = plt.figure(figsize=(5.5 * n_maps, 9.))
+    grid = figure.add_gridspec(2, n_maps, height_ratios=(1.3, 1.), left=0.07,
                                right=0.95, bottom=0.07, top=0.93, wspace=0.3)
     # Axes in space are square and cut off what is beyond: larger than the row.
     space = figure.add_axes((0., 0.23, 1., 0.88), projection="3d", zorder=-1)
     stretch = draw_in_space(space, face, limit)
     draw_map(figure, figure.add_subplot(grid[1, 0]), face, face.pressure,
              "contact pressure [MPa]", "magma_r", limit)
-    heights = figure.add_subplot(grid[1, 1])
+    if face.oil is not None:
+        draw_map(figure, figure.add_subplot(grid[1, 1]), face, face.oil,
+                 "oil pressure [MPa]", "Blues", max(face.oil.max(), 1e-6))
+    heights = figure.add_subplot(grid[1, n_maps - 1])
     draw_map(figure, heights, face, face.height, "height of the chip [µm]",
              "viridis")
     summary = read_summary(directory)

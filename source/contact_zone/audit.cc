@@ -348,7 +348,11 @@ namespace asperity
   {
     SceneAudit audit = audit_motion(parameters, scene);
     audit_waves(parameters, scene, audit);
-    audit_lubricant(parameters, scene, asperities_of(scene).length, audit);
+    audit_lubricant(parameters,
+                    scene.oil,
+                    scene.tool_surface.mean() - scene.chip_surface.mean(),
+                    asperities_of(scene).length,
+                    audit);
     audit_interface(parameters, audit);
     audit_surface(parameters.tool, scene.tool_surface, "Tool", audit);
     audit_surface(parameters.chip, scene.chip_surface, "Chip", audit);
@@ -361,6 +365,12 @@ namespace asperity
   audit_scene(const SceneParameters &parameters, const Scene<3> &scene)
   {
     SceneAudit audit = audit_motion(parameters, scene);
+    audit_lubricant(parameters,
+                    scene.oil,
+                    scene.tool_surface.sheet.mean() -
+                      scene.chip_surface.sheet.mean(),
+                    asperities_of(scene).length,
+                    audit);
     audit_interface(parameters, audit);
     audit_flanks(scene.tool_surface, "Tool", audit);
     audit_flanks(scene.chip_surface, "Chip", audit);

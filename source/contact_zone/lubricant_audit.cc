@@ -49,7 +49,8 @@ namespace asperity
 
   void
   audit_lubricant(const SceneParameters &parameters,
-                  const Scene<2>        &scene,
+                  const OilInGap        &in_gap,
+                  const double           mean_gap,
                   const double           asperity,
                   SceneAudit            &audit)
   {
@@ -60,15 +61,14 @@ namespace asperity
     const double              T   = parameters.load.temperature;
     const LubricantParameters oil = lubrication.oil.at(T, T);
     const double p = parameters.load.pressure, v = parameters.load.velocity,
-                 eta = oil.viscosity.viscosity,
-                 h   = scene.tool_surface.mean() - scene.chip_surface.mean();
+                 eta = oil.viscosity.viscosity, h = mean_gap;
 
     audit.entries.push_back(
       {"oil over the void at first touch",
-       scene.oil.part_at_touch,
+       in_gap.part_at_touch,
        "above 1 the gap is flooded: the oil is compressed before the "
        "surfaces touch"});
-    warn_of_oil(scene.oil.warning, oil, T, audit);
+    warn_of_oil(in_gap.warning, oil, T, audit);
     audit.entries.push_back(
       {"compression of the oil at the load",
        1. - 1. / oil.compressibility.ratio(p),
@@ -97,9 +97,20 @@ namespace asperity
        oil.density * v * h / eta * h / asperity,
        "far below 1 the oil has no inertia: Reynolds or Stokes"});
     if (lubrication.model == LubricantModel::automatic)
-      audit.lubricant = choose_lubricant(scene.oil.part_at_start,
-                                         flow_pressure,
-                                         squeeze_pressure);
+      audit.lubricant =
+        choose_lubricant(in_gap.part_at_start, flow_pressure, squeeze_pressure);
+    if (parameters.geometry.dimension == 3 &&
+        lubrication.model == LubricantModel::automatic &&
+        audit.lubricant == LubricantModel::reynolds)
+      {
+        audit.lubricant = LubricantModel::pocket;
+        audit.warnings.push_back(
+          "The oil would flow as a film in two dimensions (" +
+          format_quantity(flow_pressure, "1", 2) + " of the load by sliding, " +
+          format_quantity(squeeze_pressure, "1", 2) +
+          " by squeezing); in three it is enclosed, with one pressure a "
+          "pocket.");
+      }
     // Only its mass holds a chip whose balance and flow are solved in turn.
     if (fills_gap(audit.lubricant))
       audit.inertia = Inertia::dynamic;

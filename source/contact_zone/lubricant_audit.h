@@ -6,10 +6,12 @@
 namespace asperity
 {
   /** What the oil does, and the model that `automatic` chooses.
+   *  @param mean_gap between the surfaces at the start [m]
    *  @param asperity half the length of the steepest one [m] */
   void
   audit_lubricant(const SceneParameters &parameters,
-                  const Scene<2>        &scene,
+                  const OilInGap        &in_gap,
+                  const double           mean_gap,
                   const double           asperity,
                   SceneAudit            &audit);
 } // namespace asperity

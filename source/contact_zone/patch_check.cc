@@ -104,8 +104,12 @@ namespace asperity
                        ": found 3 with " + found + "; expected 2, or " +
                        expected + ".");
     };
-    if (p.lubrication.model != LubricantModel::none)
-      fail("a lubricant", "Lubrication/Model = none");
+    const LubricantModel lubricant = p.lubrication.model;
+    if (lubricant == LubricantModel::reynolds || fills_gap(lubricant))
+      fail("the lubricant model `" + name(lubricant) + "`, " +
+             (fills_gap(lubricant) ? "whose flow is that of a plane" :
+                                     "whose film is that of a profile"),
+           "Lubrication/Model = pocket, automatic or none");
     if (p.heat.model == HeatModel::conducting)
       fail("heat that is conducted",
            "the Heat model automatic, adiabatic or isothermal");

@@ -111,11 +111,13 @@ namespace asperity
     width                                = tool_surface.sheet.period(1);
     if (parameters.tool.kind == SurfaceKind::measured)
       tool_surface = tool_surface.mapped(-1., 0.); // x, y stay the map's
-    chip_surface = chip_surface.mapped(1., parameters.geometry.height);
-    tool_surface =
-      tool_surface.mapped(1.,
-                          parameters.geometry.initial_gap -
-                            smallest_gap(chip_surface, tool_surface));
+    chip_surface     = chip_surface.mapped(1., parameters.geometry.height);
+    const double gap = smallest_gap(chip_surface, tool_surface);
+    oil =
+      oil_in_gap(parameters.lubrication,
+                 parameters.geometry.initial_gap,
+                 tool_surface.sheet.mean() - chip_surface.sheet.mean() - gap);
+    tool_surface               = tool_surface.mapped(1., oil.initial_gap - gap);
     const MeshParameters &mesh = parameters.mesh;
     if (mesh.offset == 0.)
       return;

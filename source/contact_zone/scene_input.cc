@@ -48,7 +48,7 @@ namespace asperity
     if (parameters.lubrication.model == LubricantModel::automatic)
       {
         parameters.lubrication.model = audit.lubricant;
-        scene                        = std::make_unique<Scene<dim>>(parameters);
+        scene = std::make_unique<Scene<dim>>(parameters, ranks);
       }
   }
 

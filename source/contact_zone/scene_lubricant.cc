@@ -1,6 +1,7 @@
 #include <asperity/contact_zone/scene.h>
 #include <asperity/lubricant/film_term.h>
 #include <asperity/lubricant/sealed_pocket.h>
+#include <asperity/lubricant/sheet_pockets.h>
 
 #include <algorithm>
 
@@ -14,6 +15,18 @@ namespace asperity
     {
       const double T = parameters.load.temperature;
       return parameters.lubrication.oil.at(T, T);
+    }
+
+    SealedPocketOptions
+    pocket_options(const SceneParameters &parameters, const OilInGap &oil)
+    {
+      SealedPocketOptions options;
+      options.density         = oil_at_start(parameters).compressibility;
+      options.wetting         = oil.part_at_start;
+      options.oil_film        = oil.film;
+      options.sealing_gap     = parameters.lubrication.sealing_gap;
+      options.penalty_modulus = 1e6 * parameters.load.pressure;
+      return options;
     }
   } // namespace
 
@@ -31,16 +44,10 @@ namespace asperity
       build_flow(parameters);
     if (lubrication.model != LubricantModel::pocket)
       return;
-    SealedPocketOptions options;
-    options.density         = oil_at_start(parameters).compressibility;
-    options.wetting         = oil.part_at_start;
-    options.oil_film        = oil.film;
-    options.sealing_gap     = lubrication.sealing_gap;
-    options.penalty_modulus = 1e6 * parameters.load.pressure;
-    lubricant               = std::make_unique<SealedPocket>(*space,
+    lubricant = std::make_unique<SealedPocket>(*space,
                                                geometry,
                                                tool_surface.curve,
-                                               options);
+                                               pocket_options(parameters, oil));
   }
 
 
@@ -102,8 +109,16 @@ namespace asperity
 
   template <>
   void
-  Scene<3>::build_lubricant(const SceneParameters &)
+  Scene<3>::build_lubricant(const SceneParameters &parameters)
   {
     initial_unknowns_.reinit(n_dofs());
+    if (parameters.lubrication.model != LubricantModel::pocket)
+      return;
+    lubricant = std::make_unique<SheetPockets>(*space,
+                                               geometry,
+                                               tool_surface.sheet,
+                                               motion,
+                                               pocket_options(parameters, oil),
+                                               share_.ranks.is_first());
   }
 } // namespace asperity

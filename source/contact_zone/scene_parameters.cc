@@ -13,7 +13,8 @@ namespace asperity
                        Range::between(2, 3),
                        "2: profiles in plane strain; 3: a patch of the "
                        "surfaces, periodic along x and y, "
-                       "without oil and without conduction of heat.");
+                       "with oil in pockets at most and without conduction of "
+                       "heat.");
     parameters.quantity("Width",
                         width,
                         "um",

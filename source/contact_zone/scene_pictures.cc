@@ -74,7 +74,7 @@ namespace asperity
         gap.push_back(contact.gaps()[q].gap);
         oil_pressure.push_back(
           scene.lubricant ?
-            scene.lubricant->pressure(contact.table().parameter[q][0]) :
+            scene.lubricant->pressure(contact.table().parameter[q]) :
             0.);
         traction.push_back(pressure[q] * contact.gaps()[q].normal);
         if (shear == nullptr)
@@ -122,12 +122,18 @@ namespace asperity
     const ShearTraction<3>   *shear   = contact.shear();
     const std::vector<double> stretch = contact.stretch(u);
     // per present area
-    std::vector<double> pressure = contact.pressure(), gap, shear_traction;
+    std::vector<double> pressure = contact.pressure(), gap, shear_traction,
+                        oil_pressure;
     std::vector<dealii::Tensor<1, 3>> traction;
     for (std::size_t q = 0; q < pressure.size(); ++q)
       {
         pressure[q] /= stretch[q];
         gap.push_back(contact.gaps()[q].gap);
+        const dealii::Point<3> &at = contact.table().parameter[q];
+        oil_pressure.push_back(
+          scene.lubricant ?
+            scene.lubricant->pressure(dealii::Point<2>(at[0], at[1])) :
+            0.);
         traction.push_back(pressure[q] * contact.gaps()[q].normal);
         if (shear == nullptr)
           continue;
@@ -149,6 +155,8 @@ namespace asperity
     };
     add("contact pressure [Pa]", pressure);
     add("gap [m]", gap);
+    if (scene.lubricant)
+      add("oil pressure [Pa]", oil_pressure);
     if (shear != nullptr)
       {
         add("shear traction [Pa]", shear_traction);

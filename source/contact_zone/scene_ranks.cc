@@ -127,7 +127,7 @@ namespace asperity
                          DirectSolverKind::krylov :
                        ranks.are_several() ? DirectSolverKind::mumps :
                                              DirectSolverKind::cholmod;
-    // The tangent of a dry scene is symmetric but for the shear.
+    // The tangent is symmetric but for the shear, that of pockets is.
     if (linear_solver_ == DirectSolverKind::mumps)
       linear_solver_ = DirectSolverKind::mumps_symmetric;
     if (fits(linear_solver_))

@@ -345,7 +345,7 @@ namespace asperity
         {
           if (!scene.lubricant->add(shifted, residual, nullptr))
             return true;
-          force -= scene.lubricant->state().pressure_force[1];
+          force -= scene.width * scene.lubricant->state().pressure_force[1];
         }
       return force >= pressure * scene.area();
     };
@@ -377,7 +377,8 @@ namespace asperity
         scene.lubricant->accept(u);
         const auto &s = scene.contact->table().parameter;
         for (unsigned int q = 0; q < state_.coverage.size(); ++q)
-          state_.coverage[q] = scene.lubricant->coverage(s[q][0]);
+          state_.coverage[q] =
+            scene.lubricant->coverage(dealii::Point<2>(s[q][0], s[q][1]));
       }
     state_.u_previous  = state_.u;
     state_.dt_previous = dt;

@@ -102,6 +102,7 @@ namespace asperity
     const dealii::Tensor<1, 2> force = oil.pressure_force + oil.shear_force;
     row.T_x += force[0];
     row.T_y += force[1];
+    row.T_transverse += oil.transverse;
     row.oil_pressure         = oil.mean_pressure;
     row.max_oil_pressure     = oil.max_pressure;
     row.oil_T_x              = oil.pressure_force[0];

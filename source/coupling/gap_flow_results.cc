@@ -115,26 +115,26 @@ namespace asperity
 
 
   double
-  GapFlow::coverage(const double parameter) const
+  GapFlow::coverage(const dealii::Point<2> &parameter) const
   {
     if (!pockets_)
       return 1.;
-    const unsigned int pocket = pockets_->pocket(column_at(parameter));
+    const unsigned int pocket = pockets_->pocket(column_at(parameter[0]));
     return pocket < pocket_coverage.size() ? pocket_coverage[pocket] : 0.;
   }
 
 
 
   double
-  GapFlow::pressure(const double parameter) const
+  GapFlow::pressure(const dealii::Point<2> &parameter) const
   {
-    const unsigned int column = column_at(parameter);
+    const unsigned int column = column_at(parameter[0]);
     const auto         below  = wall_pressures.begin() + column;
     const auto         above  = below + 1;
     if (pockets_ && !pockets_->is_flowing()[column])
       return column_pressures[column];
     const double weight =
-      (parameter - below->first) / (above->first - below->first);
+      (parameter[0] - below->first) / (above->first - below->first);
     const Vector &u = flow_.solution();
     return (1. - weight) * u(below->second) + weight * u(above->second);
   }

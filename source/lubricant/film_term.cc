@@ -349,17 +349,17 @@ namespace asperity
 
 
   double
-  FilmTerm::pressure(const double parameter) const
+  FilmTerm::pressure(const dealii::Point<2> &parameter) const
   {
-    return states[cell_at(parameter)].pressure;
+    return states[cell_at(parameter[0])].pressure;
   }
 
 
 
   double
-  FilmTerm::coverage(const double parameter) const
+  FilmTerm::coverage(const dealii::Point<2> &parameter) const
   {
-    return std::clamp(states[cell_at(parameter)].fraction, 0., 1.);
+    return std::clamp(states[cell_at(parameter[0])].fraction, 0., 1.);
   }
 
 

@@ -6,15 +6,17 @@
 #include <deal.II/base/types.h>
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 namespace asperity
 {
   /** Which pocket of the next step each old one is, and the reverse; without
    *  partner: dealii::numbers::invalid_unsigned_int. */
-  struct PocketTracker::Succession
+  struct PocketSuccession
   {
-    /** [old][new], lengths in common of the open intervals */
+    /** [old][new], what they have in common where they are open: lengths of
+     *  intervals, or elements of regions */
     std::vector<std::vector<double>> overlaps;
     std::vector<unsigned int>        heir;     ///< of an old pocket
     std::vector<unsigned int>        ancestor; ///< of a new pocket
@@ -84,6 +86,19 @@ namespace asperity
              overlaps.begin();
     }
   };
+
+  struct PocketTracker::Succession : PocketSuccession
+  {};
+
+  /** A, B, ..., Z, AA, AB, ... for 1, 2, ... */
+  inline std::string
+  pocket_name(const unsigned int number)
+  {
+    std::string name;
+    for (unsigned int rest = number; rest > 0; rest = (rest - 1) / 26)
+      name.insert(name.begin(), char('A' + (rest - 1) % 26));
+    return name;
+  }
 } // namespace asperity
 
 #endif

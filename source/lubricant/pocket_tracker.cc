@@ -249,11 +249,7 @@ namespace asperity
   std::string
   PocketTracker::new_name()
   {
-    // A, B, ..., Z, AA, AB, ...
-    std::string name;
-    for (unsigned int rest = ++n_names_given; rest > 0; rest = (rest - 1) / 26)
-      name.insert(name.begin(), char('A' + (rest - 1) % 26));
-    return name;
+    return pocket_name(++n_names_given);
   }
 
 

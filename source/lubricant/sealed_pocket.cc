@@ -103,36 +103,51 @@ namespace asperity
 
 
 
-  bool
-  SealedPocket::set_pressure(Enclosure &pocket) const
+  std::optional<PocketPressure>
+  pocket_pressure(const SealedPocketOptions &options,
+                  const double               reference_volume,
+                  const double               volume,
+                  const double               multiplier)
   {
-    const double V = pocket.volume;
     // of the oil at p = 0
-    const double V_0 = pocket.reference_volume / options.density.ambient_ratio;
-    pocket.pressure = pocket.stiffness = 0.;
+    const double V_0 = reference_volume / options.density.ambient_ratio;
     if (V_0 == 0.)
-      return true;
-    if (V <= 0.)
-      return false;
+      return PocketPressure();
+    if (volume <= 0.)
+      return std::nullopt;
     if (options.density.law == DensityLaw::incompressible)
       {
         const double p =
-          pocket.multiplier + options.penalty_modulus * (1. - V / V_0);
+          multiplier + options.penalty_modulus * (1. - volume / V_0);
         if (p <= 0.)
-          return true;
-        pocket.pressure  = p;
-        pocket.stiffness = options.penalty_modulus / V_0;
-        return true;
+          return PocketPressure();
+        return PocketPressure{p, options.penalty_modulus / V_0};
       }
-    if (V >= V_0)
-      return true;
-    const double ratio = pocket.reference_volume / V;
+    if (volume >= V_0)
+      return PocketPressure();
+    const double ratio = reference_volume / volume;
     const double p     = options.density.pressure(ratio);
     if (!std::isfinite(p))
-      return false;
-    pocket.pressure  = p;
-    pocket.stiffness = ratio / V / options.density.derivative(p);
-    return std::isfinite(pocket.stiffness);
+      return std::nullopt;
+    const double stiffness = ratio / volume / options.density.derivative(p);
+    if (!std::isfinite(stiffness))
+      return std::nullopt;
+    return PocketPressure{p, stiffness};
+  }
+
+
+
+  bool
+  SealedPocket::set_pressure(Enclosure &pocket) const
+  {
+    const auto           oil   = pocket_pressure(options,
+                                     pocket.reference_volume,
+                                     pocket.volume,
+                                     pocket.multiplier);
+    const PocketPressure found = oil.value_or(PocketPressure());
+    pocket.pressure            = found.pressure;
+    pocket.stiffness           = found.stiffness;
+    return oil.has_value();
   }
 
 
@@ -293,18 +308,18 @@ namespace asperity
 
 
   double
-  SealedPocket::pressure(const double parameter) const
+  SealedPocket::pressure(const dealii::Point<2> &parameter) const
   {
-    const Enclosure *pocket = enclosure_at(parameter);
+    const Enclosure *pocket = enclosure_at(parameter[0]);
     return pocket != nullptr ? pocket->pressure : 0.;
   }
 
 
 
   double
-  SealedPocket::coverage(const double parameter) const
+  SealedPocket::coverage(const dealii::Point<2> &parameter) const
   {
-    const Enclosure *pocket = enclosure_at(parameter);
+    const Enclosure *pocket = enclosure_at(parameter[0]);
     if (pocket == nullptr || pocket->reference_volume == 0.)
       return 0.;
     const double oil =

@@ -189,9 +189,12 @@ namespace asperity
     if (support < matrix.m() && !dense_part.empty())
       {
         Vector unit(matrix.m());
-        unit(support)    = 1.;
-        const double add = std::abs(matrix.diag_element(support));
-        matrix.add(support, support, add);
+        unit(support) = 1.;
+        // The dense part is that of all ranks, the matrix their sum.
+        double add = std::abs(matrix.diag_element(support));
+        shared.ranks.sum(&add, 1);
+        if (shared.ranks.is_first())
+          matrix.add(support, support, add);
         dense_part.add(unit, -add);
       }
     is_factorised = solver->factorize(matrix) && dense_part.factorize(*solver);

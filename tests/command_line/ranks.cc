@@ -17,6 +17,7 @@ namespace
   {
   protected:
     std::string mesh = " set Spans = 6\n";
+    std::string oil;
 
     /** Hills over a coarse chip. */
     std::string
@@ -27,8 +28,8 @@ namespace
              "subsection Tool\n set Kind = harmonics\n"
              " set Wave numbers = 1, 1\n set Wave numbers across = 1, -1\n"
              " set Amplitudes = 0.1 um, 0.05 um\n set Phases = 0 rad, 1 rad\n"
-             "end\nsubsection Mesh\n" +
-             mesh +
+             "end\n" +
+             oil + "subsection Mesh\n" + mesh +
              " set Refinement levels = 0\n"
              " set Row grading = 2.5\nend\n"
              "subsection Interface\n set Shear law = Coulomb\n"
@@ -132,6 +133,27 @@ TEST_F(RanksOfScene, find_the_same_friction_by_multigrid)
   compute("krylov", "mpirun -np 2", " set Linear solver = krylov\n");
   expect_equal(summary("krylov"), summary("one"), 1e-8);
   EXPECT_EQ(summary("krylov")["cost"]["linear_solver"], "krylov");
+}
+
+
+
+TEST_F(RanksOfScene, find_the_same_pressure_of_enclosed_oil)
+{
+  oil = "subsection Lubrication\n set Model = pocket\n"
+        " set Wetting = 0.7\n set Sealing gap = 20 nm\nend\n";
+  compute("one", "");
+  compute("two", "mpirun -np 2");
+  const auto one = summary("one"), two = summary("two");
+  expect_equal(two, one, 1e-8);
+  EXPECT_EQ(two["cost"]["linear_solver"], "mumps");
+  const double share = one["oil"]["load_share"];
+  EXPECT_GT(share, 0.1); // and the contact carries, too
+  EXPECT_LT(share, 0.9);
+  EXPECT_NEAR(two["oil"]["load_share"], share, 1e-8);
+  // The last step by one rank, from the checkpoint of two.
+  compute("two", "", "", " set Restart = true\n");
+  expect_equal(summary("two"), one, 1e-8);
+  EXPECT_NEAR(summary("two")["oil"]["load_share"], share, 1e-8);
 }
 
 

@@ -140,7 +140,7 @@ TEST(OpenGap, starts_with_the_initial_pressure)
   Scene<2>      scene(parameters);
   SlidingRun<2> run(parameters, scene);
   for (const double x : {0., 0.3, 0.9})
-    EXPECT_NEAR(scene.lubricant->pressure(x * scene.length), 2e6, 1e-6);
+    EXPECT_NEAR(scene.lubricant->pressure({x * scene.length, 0.}), 2e6, 1e-6);
   const auto mass = scene.equilibrium->make_matrix();
   scene.chip->assemble_mass(*mass);
   const dealii::Vector<double> lift = scene.translation(0., 1.);

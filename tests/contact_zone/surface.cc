@@ -28,7 +28,7 @@ namespace
   }
 
   SurfaceParameters
-  wave(const double k, const double amplitude, const double phase)
+  harmonic(const double k, const double amplitude, const double phase)
   {
     SurfaceParameters parameters;
     parameters.kind         = SurfaceKind::harmonics;
@@ -84,7 +84,7 @@ TEST(Surface, R0_has_the_published_height_and_slope)
 TEST(Surface, extremes_and_slope_of_a_wave_are_exact)
 {
   // a cos(k x): +-a, and the slope a 2 pi k/L
-  const Surface surface = make_surface(wave(3., 0.2e-6, 1.), L);
+  const Surface surface = make_surface(harmonic(3., 0.2e-6, 1.), L);
   EXPECT_NEAR(surface.maximum(), 0.2e-6, 1e-12);
   EXPECT_NEAR(surface.minimum(), -0.2e-6, 1e-12);
   const double slope = 0.2e-6 * 2. * M_PI * 3. / L;
@@ -102,8 +102,8 @@ TEST(Surface, mapping_turns_and_lifts_it)
 TEST(SmallestGap, of_two_waves_follows_from_their_difference)
 {
   // a cos(k x) - b cos(k x + pi) = (a + b) cos(k x)
-  const Surface upper = make_surface(wave(2., 0.3e-6, 0.4), L),
-                lower = make_surface(wave(2., 0.1e-6, 0.4 + M_PI), L);
+  const Surface upper = make_surface(harmonic(2., 0.3e-6, 0.4), L),
+                lower = make_surface(harmonic(2., 0.1e-6, 0.4 + M_PI), L);
   EXPECT_NEAR(smallest_gap(lower, upper), -0.4e-6, 1e-12);
   EXPECT_NEAR(smallest_gap(lower, lower), 0., 1e-20);
 }
@@ -112,7 +112,7 @@ TEST(Scene, tool_starts_the_initial_gap_above_the_chip)
 {
   // The scene R1: neither surface is flat.
   SceneParameters parameters      = coarse_scene();
-  parameters.chip                 = wave(2., 0.03e-6, 1.);
+  parameters.chip                 = harmonic(2., 0.03e-6, 1.);
   parameters.chip.wave_numbers    = {2., 3., 5.};
   parameters.chip.amplitudes      = {0.03e-6, 0.03e-6, 0.02e-6};
   parameters.chip.phases          = {1., 2., 3.};

@@ -204,7 +204,7 @@ namespace
     EXPECT_EQ(state.max_pressure, 0.);
     EXPECT_NEAR(state.reference_volume, 0.5 * state.void_volume, 1e-14);
     for (const double parameter : {0., 1.3, 3.9})
-      EXPECT_NEAR(pocket.coverage(parameter), 0.5, 1e-14);
+      EXPECT_NEAR(pocket.coverage({parameter, 0.}), 0.5, 1e-14);
   }
 
   TEST_F(VoidBetweenWaves, oil_that_warms_up_in_a_full_void_is_compressed)
@@ -223,7 +223,7 @@ namespace
                 1.);
     EXPECT_EQ(pocket.state().reference_volume, mass);
     EXPECT_NEAR(pocket.state().oil_volume, pocket.state().void_volume, 1e-12);
-    EXPECT_NEAR(pocket.coverage(2.), 1., 1e-12);
+    EXPECT_NEAR(pocket.coverage({2., 0.}), 1., 1e-12);
   }
 
   TEST_F(VoidBetweenWaves, a_void_that_is_gone_gives_no_residual)

@@ -175,12 +175,12 @@ namespace asperity
     state() const override;
 
     double
-    pressure(const double parameter) const override;
+    pressure(const dealii::Point<2> &parameter) const override;
 
     /** That of the pocket, at the last accepted step: oil that flows fills the
      *  gap. */
     double
-    coverage(const double parameter) const override;
+    coverage(const dealii::Point<2> &parameter) const override;
 
     void
     save(OutputArchive &archive) const override;

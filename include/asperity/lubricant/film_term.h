@@ -121,11 +121,11 @@ namespace asperity
     state() const override;
 
     double
-    pressure(const double parameter) const override;
+    pressure(const dealii::Point<2> &parameter) const override;
 
     /** theta of the cell. */
     double
-    coverage(const double parameter) const override;
+    coverage(const dealii::Point<2> &parameter) const override;
 
     /** Pressure and fraction of each cell at the last evaluation. */
     const std::vector<FilmState> &

@@ -4,6 +4,7 @@
 #include <asperity/base/convergence_report.h>
 #include <asperity/isogeometric/force_term.h>
 
+#include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
 #include <string>
@@ -16,11 +17,13 @@ namespace asperity
   class OutputArchive;
 
   /** What a lubricant does at the last accepted step, over one period and per
-   *  metre of thickness. */
+   *  metre of thickness, of a patch per metre of its width. Forces are along
+   * the motion and upwards. */
   struct LubricantState
   {
     dealii::Tensor<1, 2> pressure_force; ///< on the chip [N/m]
     dealii::Tensor<1, 2> shear_force;    ///< on the chip [N/m]
+    double transverse = 0.; ///< of the pressure, to the left of the motion
 
     double       mean_pressure = 0.; ///< pressure_force[1] / L, positive [Pa]
     double       max_pressure  = 0.; ///< [Pa]
@@ -89,15 +92,16 @@ namespace asperity
     virtual LubricantState
     state() const = 0;
 
-    /** Pressure on the chip at a parameter of its edge, in [0, L), as
-     *  state() [Pa]. */
+    /** Pressure on the chip at a parameter of its edge, in [0, L), or of its
+     *  face, in [0, L) x [0, W), as state() [Pa].
+     *  @param parameter of an edge its first component counts */
     virtual double
-    pressure(const double parameter) const = 0;
+    pressure(const dealii::Point<2> &parameter) const = 0;
 
-    /** Share of the gap that is full of oil at a parameter of the chip's edge,
-     *  in [0, L), at the last evaluated displacement. */
+    /** Share of the gap that is full of oil at such a parameter, at the last
+     *  evaluated displacement. */
     virtual double
-    coverage(const double parameter) const = 0;
+    coverage(const dealii::Point<2> &parameter) const = 0;
 
     /** What happened to the pockets so far, as "step 12: pocket B has become
      *  part of A". */

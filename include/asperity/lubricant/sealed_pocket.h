@@ -36,6 +36,22 @@ namespace asperity
     double volume_tolerance = 1e-9;
   };
 
+  /** What the oil of a pocket does in its volume. */
+  struct PocketPressure
+  {
+    double pressure  = 0.; ///< [Pa]
+    double stiffness = 0.; ///< -dp/dV [Pa over the unit of V]
+  };
+
+  /** The law of SealedPocket; nothing if there is no pressure at this volume.
+   *  @param reference_volume V_r, in the unit of V
+   *  @param multiplier of the incompressible law [Pa] */
+  std::optional<PocketPressure>
+  pocket_pressure(const SealedPocketOptions &options,
+                  const double               reference_volume,
+                  const double               volume,
+                  const double               multiplier);
+
   /**
    * Liquid enclosed between the chip and the tool, without flow: one pressure a
    * pocket,
@@ -102,11 +118,11 @@ namespace asperity
     state() const override;
 
     double
-    pressure(const double parameter) const override;
+    pressure(const dealii::Point<2> &parameter) const override;
 
     /** That of the pocket. */
     double
-    coverage(const double parameter) const override;
+    coverage(const dealii::Point<2> &parameter) const override;
 
     std::vector<std::string>
     events() const override;
