@@ -20,8 +20,8 @@ PICTURES = {
     "deformed_topography.png": "The deformed chip under the tool, coloured by "
                                "equivalent plastic strain; arrows: the force of "
                                "the tool on the chip. Of a patch the face of the "
-                               "chip, and maps of its height and of the contact "
-                               "pressure.",
+                               "chip, and maps of its height, of the contact "
+                               "pressure and of that of the oil.",
     "oil_flow.png": "Pressure and velocity of the oil in the gap; the height is "
                     "stretched.",
     "friction.png": "µ and contact fraction over time and sliding distance; the "

@@ -100,9 +100,12 @@ TEST(Restart, keeps_the_shear_of_dry_and_wet_contact)
 
 TEST(Restart, goes_on_identically_in_three_dimensions)
 {
-  SceneParameters parameters = narrow_scene();
-  parameters.interface.law   = InterfaceShear::limited_coulomb;
-  parameters.load.direction  = M_PI / 6.;
+  SceneParameters parameters         = narrow_scene();
+  parameters.interface.law           = InterfaceShear::limited_coulomb;
+  parameters.load.direction          = M_PI / 6.;
+  parameters.lubrication.model       = LubricantModel::pocket;
+  parameters.lubrication.wetting     = 0.7;
+  parameters.lubrication.sealing_gap = 200e-9;
   expect_identical_rest<3>(parameters, 3);
 }
 
