@@ -139,6 +139,8 @@ def quality_section(document, summary):
              percent(topography.get("scatter")) if profiles > 1 else None),
             ("mean over the whole surface within (95 %)",
              percent(topography.get("error")) if profiles > 1 else None),
+            ("a patch of the surface lies off these profiles in plane strain "
+             "by", plane_strain_text(document)),
             ("base scene", summary.get("base_scene")),
             *[(f"for comparison: {name}",
                f"{law['law']}, error {percent(law.get('leave_one_out_error'))}")
@@ -152,6 +154,14 @@ def quality_section(document, summary):
                    tag("h3", "Inputs"),
                    table(("entry", "symbol", "from", "to", "scale",
                           "share of the variance"), ranges, (2, 3, 5)))
+
+
+def plane_strain_text(document):
+    for choice in document.get("choices") or []:
+        if choice.get("kind") == "plane strain":
+            return (f"-{percent(choice.get('below'))} to "
+                    f"+{percent(choice.get('above'))}")
+    return None
 
 
 def model_text(document):

@@ -49,6 +49,10 @@ namespace asperity
       further_tests = read_tests(path, table_);
     if (!parameters.law.sensitivity.empty())
       choices = read_spreads(parameters.law.sensitivity);
+    const double below = parameters.law.plane_strain_below,
+                 above = parameters.law.plane_strain_above;
+    if (below + above > 0.)
+      choices.push_back({ChoiceSpread::plane_strain, below, above});
   }
 
 

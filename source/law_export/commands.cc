@@ -118,21 +118,39 @@ namespace asperity
     std::string
     choices_line(const FrictionLawDescription &law, const LawPrediction &at)
     {
-      if (law.choices.empty())
-        return "";
       double                   below = 0., above = 0.;
       std::vector<std::string> kinds;
       for (const ChoiceSpread &choice : law.choices)
         {
+          if (choice.kind == ChoiceSpread::plane_strain)
+            continue;
           below = std::hypot(below, choice.below);
           above = std::hypot(above, choice.above);
           kinds.push_back(choice.kind + " -" + percent(choice.below, 3) +
                           " to +" + percent(choice.above, 3));
         }
+      if (kinds.empty())
+        return "";
       return "choices by hand, as shares found in one scene: " +
              format_quantity(at.mean * std::max(0., 1. - below), "1", 5) +
              " to " + format_quantity(at.mean * (1. + above), "1", 5) + " (" +
              join(kinds, ", ") + ")\n";
+    }
+
+    /** What profiles in plane strain err; a line, or nothing. */
+    std::string
+    plane_strain_line(const FrictionLawDescription &law,
+                      const LawPrediction          &at)
+    {
+      for (const ChoiceSpread &choice : law.choices)
+        if (choice.kind == ChoiceSpread::plane_strain)
+          return "plane strain: a patch of the surface may have " +
+                 format_quantity(at.mean * (1. - choice.below), "1", 5) +
+                 " to " +
+                 format_quantity(at.mean * (1. + choice.above), "1", 5) +
+                 " (-" + percent(choice.below, 3) + " to +" +
+                 percent(choice.above, 3) + ")\n";
+      return "";
     }
 
     void
@@ -281,7 +299,8 @@ namespace asperity
                     surface_line(description, at) :
                     to_string(law.fitted()->law(), description.inputs[0].unit))
               << "\n"
-              << choices_line(description, at);
+              << choices_line(description, at)
+              << plane_strain_line(description, at);
     print_derivatives(description, at);
     print_shear(description, point, at);
     return 0;

@@ -121,11 +121,18 @@ namespace asperity
                        percent(d.topography_error) +
                        " (95 %), which is not part of sigma.");
     for (const ChoiceSpread &choice : d.choices)
-      append_wrapped(lines,
-                     "Choices by hand (" + choice.kind + ") may move it by -" +
-                       percent(choice.below, 3) + " to +" +
-                       percent(choice.above, 3) +
-                       ", found in one scene and not part of sigma.");
+      {
+        const std::string range =
+          " -" + percent(choice.below, 3) + " to +" + percent(choice.above, 3);
+        append_wrapped(
+          lines,
+          choice.kind == ChoiceSpread::plane_strain ?
+            "A patch of the surface in three dimensions may lie off these "
+            "profiles in plane strain by" +
+              range + ", which is not part of sigma." :
+            "Choices by hand (" + choice.kind + ") may move it by" + range +
+              ", found in one scene and not part of sigma.");
+      }
     append_wrapped(lines, "Ranges of the training data:");
     for (unsigned int c = 0; c < ContactPointLaw::n_coordinates; ++c)
       if (const LawInput *const input = law.input(c))

@@ -179,6 +179,29 @@ TEST_F(FrictionLaws, say_how_far_choices_by_hand_may_move_mu)
             std::string::npos);
 }
 
+// What plane strain errs is no choice, so that it is told apart from them.
+TEST_F(FrictionLaws, say_what_their_profiles_err_against_a_patch)
+{
+  const FrictionLaw      plain       = law(false);
+  FrictionLawDescription description = plain.description();
+  description.choices = {{"profile", 0.4, 1.2}, {"plane strain", 0., 1.5}};
+  FrictionLaw::train(description, plain.data().x, plain.data().y)
+    .save((folder / "law.json").string());
+  const std::string text = predict("-p 450MPa -v 90m/min -T 300degC");
+  const double      mu   = number_behind(text, "mu = ");
+  EXPECT_NE(text.find("(profile -40 % to +120 %)"), std::string::npos) << text;
+  const std::string line = text.substr(text.find("plane strain: a patch"));
+  EXPECT_NEAR(number_behind(line, "may have "), mu, 1e-5);
+  EXPECT_NEAR(number_behind(line, " to "), 2.5 * mu, 3e-5);
+  EXPECT_NE(line.find("(-0 % to +150 %)"), std::string::npos) << line;
+
+  ASSERT_EQ(run("export law.json laws").status, 0);
+  const std::string head = read("laws/abaqus_friction.inp");
+  EXPECT_NE(head.find("A patch of the surface in three dimensions"),
+            std::string::npos);
+  EXPECT_EQ(head.find("Choices by hand (plane strain)"), std::string::npos);
+}
+
 TEST_F(FrictionLaws, predict_says_why_a_point_is_not_trusted)
 {
   const std::string text = predict("-p 1.5GPa -v 90m/min -T 1000degC");

@@ -86,6 +86,10 @@ namespace asperity
     /** sensitivity.json of the base scene, or empty. */
     std::string sensitivity;
 
+    /** How far mu of the surface may lie below and above that of its profiles
+     *  in plane strain, as shares of it; not stated if both are 0. */
+    double plane_strain_below = 0., plane_strain_above = 0.;
+
     void
     declare(ParameterDeclarator &parameters);
   };

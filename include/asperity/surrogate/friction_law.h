@@ -40,6 +40,10 @@ namespace asperity
    *  better, may move the output, as shares of it. */
   struct ChoiceSpread
   {
+    /** The kind of what profiles err against a patch of the surface, which
+     *  patches tell and no variation of the scene. */
+    static constexpr const char *plane_strain = "plane strain";
+
     std::string kind; ///< "preparation", "profile", "scene", "constants"
     double      below = 0., above = 0.; ///< not negative
   };
