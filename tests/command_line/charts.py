@@ -108,7 +108,7 @@ class Test:
         """Each chart from the numbers that are in the repository."""
         to = self.folder / "redrawn"
         names = sorted(path.parent.name
-                       for path in RESULTS.glob("[0-9]_*/numbers.csv"))
+                       for path in RESULTS.glob("[0-9]*_*/numbers.csv"))
         for name in names:
             (to / name).mkdir(parents=True)
             for table in (RESULTS / name).glob("*.csv"):

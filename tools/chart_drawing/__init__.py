@@ -11,4 +11,5 @@ CHARTS = {
     "7_surrogate": ("surrogate", "error of the friction law over runs and time"),
     "8_linear_solvers": ("linear_solvers", "direct solvers over size, and bounds"),
     "9_topography": ("topography", "filter, spline, profile, continuation"),
+    "10_plane_strain": ("plane_strain", "patches against profiles over Str"),
 }
