@@ -354,8 +354,11 @@ namespace asperity
                     asperities_of(scene).length,
                     audit);
     audit_interface(parameters, audit);
-    audit_surface(parameters.tool, scene.tool_surface, "Tool", audit);
-    audit_surface(parameters.chip, scene.chip_surface, "Chip", audit);
+    const bool is_sheared = parameters.interface.law != InterfaceShear::none;
+    audit_surface(
+      parameters.tool, scene.tool_surface, "Tool", is_sheared, audit);
+    audit_surface(
+      parameters.chip, scene.chip_surface, "Chip", is_sheared, audit);
     return audit;
   }
 

@@ -22,11 +22,13 @@ namespace asperity
    * what somebody has decided about it, with what that did to mu of the
    * wet-air-blasted tool (parameter_files/friction_law/README.md).
    * @param whose "Tool" or "Chip"
+   * @param is_sheared whether the interface has a shear law
    */
   void
   audit_surface(const SurfaceParameters &parameters,
                 const Surface           &surface,
                 const std::string       &whose,
+                const bool               is_sheared,
                 SceneAudit              &audit);
 
   /** Whether a surface in three dimensions is so steep that elements fold.

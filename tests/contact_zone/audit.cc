@@ -293,6 +293,10 @@ TEST(SceneAudit, warns_of_hills_as_ridges_and_of_waves_that_are_filtered_out)
   topography.s_filter    = 10e-6;
   const SceneAudit hills = audit_scene(parameters, scene);
   EXPECT_TRUE(warns(hills, "texture aspect ratio Str is 0.7"));
+  EXPECT_TRUE(warns(hills, "without shear of the interface mu in the mean"));
+  parameters.interface.law = InterfaceShear::shear_factor;
+  EXPECT_TRUE(warns(audit_scene(parameters, scene),
+                    "with a shear factor of 0.5 mu in the mean"));
   // slowest along y, where 1 + 0.81 cos(y) = 0.362, fastest near x = y, where
   // cos(x) = 0.2
   EXPECT_NEAR(number(hills, "texture aspect ratio Str, Tool"),
