@@ -22,15 +22,15 @@ def cases(full):
     """(surface, stretches, share m, settings, elements)"""
     if not full:
         return [(surfaces.synthetic(1), (1, 20), 0., "", QUICK)]
-    found = [(surfaces.synthetic(1), (1, 5, 20), 0., "", DEFAULT),
-             (surfaces.synthetic(1), (1, 20), 0.5, "", DEFAULT),
-             (surfaces.synthetic(2), (1, 20), 0., "", DEFAULT),
-             (surfaces.tool("blasted", 1), (1,), 0., "", DEFAULT),
-             (surfaces.tool("blasted", 1), (1,), 0.5, "", DEFAULT),
-             (surfaces.synthetic(1), (1, 20), 0., FINER, REFINED[FINER]),
-             (surfaces.synthetic(2), (1,), 0., FINER, REFINED[FINER])]
+    whole = [(surfaces.synthetic(seed), (1, 5, 20)) for seed in (1, 2, 3)]
+    whole += [(surfaces.tool("blasted", 1), (1,)),
+              (surfaces.tool("blasted", 2), (1,))]
     if os.path.exists(surfaces.MAPS["ground"]):
-        found.append((surfaces.ground(1), (1,), 0., "", DEFAULT))
+        whole.append((surfaces.ground(1), (1,)))
+    found = [(surface, stretches, factor, "", DEFAULT)
+             for factor in (0., 0.5) for surface, stretches in whole]
+    found += [(surfaces.synthetic(1), (1, 20), 0., FINER, REFINED[FINER]),
+              (surfaces.synthetic(2), (1,), 0., FINER, REFINED[FINER])]
     return found
 
 
