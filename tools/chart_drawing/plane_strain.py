@@ -173,7 +173,7 @@ def conclusion(groups):
                               for group in found)
     areas = [g.bias() for g in groups["contact fraction"].values()]
     yield (f"The contact fraction is off by {per_cent(areas)} % in the mean over "
-           "profiles. One or two windows stand for a point of the table: these are "
+           "profiles. One to three windows stand for a point of the table: these are "
            "sizes of an error, and no corrections.")
 
 
