@@ -114,6 +114,30 @@ namespace asperity
 
 
 
+  namespace
+  {
+    void
+    declare_plane_strain(ParameterDeclarator &parameters,
+                         double              &below,
+                         double              &above)
+    {
+      parameters.number(
+        "Plane strain below",
+        below,
+        Range{0., 1., true, false},
+        "How far mu of the surface may lie below that of its "
+        "profiles in plane strain, as a share of it, found by "
+        "patches in three dimensions. The law says so. Not stated "
+        "if this and the next are 0.");
+      parameters.number("Plane strain above",
+                        above,
+                        Range::non_negative(),
+                        "The same above it.");
+    }
+  } // namespace
+
+
+
   void
   LawParameters::declare(ParameterDeclarator &parameters)
   {
@@ -172,18 +196,7 @@ namespace asperity
                     "The sensitivity.json that `asperity sensitivity` has made "
                     "of the base scene: the law says how far the choices that "
                     "were varied there may move it.");
-    parameters.number(
-      "Plane strain below",
-      plane_strain_below,
-      Range{0., 1., true, false},
-      "How far mu of the surface may lie below that of its "
-      "profiles in plane strain, as a share of it, found by "
-      "patches in three dimensions. The law says so. Not stated "
-      "if this and the next are 0.");
-    parameters.number("Plane strain above",
-                      plane_strain_above,
-                      Range::non_negative(),
-                      "The same above it.");
+    declare_plane_strain(parameters, plane_strain_below, plane_strain_above);
   }
 
 

@@ -43,6 +43,22 @@ namespace asperity
           format_quantity(cracking, "degC") +
           " on): its viscosity and density are extrapolations.");
     }
+
+    /** A patch has no film: it is taken as a pocket, and told. */
+    void
+    enclose_film(const double flow_pressure,
+                 const double squeeze_pressure,
+                 SceneAudit  &audit)
+    {
+      if (audit.lubricant != LubricantModel::reynolds)
+        return;
+      audit.lubricant = LubricantModel::pocket;
+      audit.warnings.push_back(
+        "The oil would flow as a film in two dimensions (" +
+        format_quantity(flow_pressure, "1", 2) + " of the load by sliding, " +
+        format_quantity(squeeze_pressure, "1", 2) +
+        " by squeezing); in three it is enclosed, with one pressure a pocket.");
+    }
   } // namespace
 
 
@@ -100,17 +116,8 @@ namespace asperity
       audit.lubricant =
         choose_lubricant(in_gap.part_at_start, flow_pressure, squeeze_pressure);
     if (parameters.geometry.dimension == 3 &&
-        lubrication.model == LubricantModel::automatic &&
-        audit.lubricant == LubricantModel::reynolds)
-      {
-        audit.lubricant = LubricantModel::pocket;
-        audit.warnings.push_back(
-          "The oil would flow as a film in two dimensions (" +
-          format_quantity(flow_pressure, "1", 2) + " of the load by sliding, " +
-          format_quantity(squeeze_pressure, "1", 2) +
-          " by squeezing); in three it is enclosed, with one pressure a "
-          "pocket.");
-      }
+        lubrication.model == LubricantModel::automatic)
+      enclose_film(flow_pressure, squeeze_pressure, audit);
     // Only its mass holds a chip whose balance and flow are solved in turn.
     if (fills_gap(audit.lubricant))
       audit.inertia = Inertia::dynamic;

@@ -1,22 +1,11 @@
 #include <asperity/base/archive.h>
-#include <asperity/base/errors.h>
-#include <asperity/base/quantity.h>
 #include <asperity/lubricant/sheet_pockets.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace asperity
 {
   using Vector = dealii::Vector<double>;
-
-  namespace
-  {
-    /** As those of SealedPocket. */
-    constexpr unsigned int most_passes = 20;
-  } // namespace
-
-
 
   SheetPockets::SheetPockets(const SplineSpace<3>       &space,
                              const PatchGeometry<3>     &geometry,
@@ -24,7 +13,7 @@ namespace asperity
                              const dealii::Tensor<1, 3> &motion,
                              const SealedPocketOptions  &options,
                              const bool                  counts)
-    : options(options)
+    : EnclosedOil(options)
     , sheet_void(space, geometry, tool)
     , motion(motion)
     , length(tool.period(0))
@@ -34,24 +23,7 @@ namespace asperity
     , accepted_tracker(sheet_void.size())
   {
     track();
-    double void_at_start = 0.;
-    for (const Enclosure &pocket : pockets)
-      void_at_start += pocket.volume;
-    double wetting = options.wetting;
-    if (options.oil_film)
-      {
-        if (!(void_at_start > 0.))
-          throw InputError(
-            "Lubrication/Sealing gap: found " +
-            format_quantity(options.sealing_gap, "nm") +
-            ", and the surfaces are nowhere further apart at the start, so "
-            "that no pocket takes the oil; expected less.");
-        wetting = *options.oil_film * length * width / void_at_start;
-      }
-    std::vector<double> oil;
-    for (const Enclosure &pocket : pockets)
-      oil.push_back(wetting * pocket.volume);
-    tracker.set_masses(oil);
+    tracker.set_masses(oil_at_start(length * width));
     enclose();
     accept(Vector());
   }
@@ -124,12 +96,7 @@ namespace asperity
       {
         Enclosure &pocket = pockets[i];
         pocket.volume     = volumes[i];
-        const auto oil    = pocket_pressure(options,
-                                         pocket.reference_volume,
-                                         pocket.volume,
-                                         pocket.multiplier);
-        pocket.oil        = oil.value_or(PocketPressure());
-        if (!oil)
+        if (!set_pressure(pocket))
           return false;
         factors.push_back(-pocket.oil.pressure);
         if (pocket.oil.pressure == 0.)
@@ -146,75 +113,20 @@ namespace asperity
 
 
 
-  std::vector<RankOneTerm>
-  SheetPockets::rank_one_terms() const
-  {
-    std::vector<RankOneTerm> terms;
-    for (const Enclosure &pocket : pockets)
-      if (pocket.oil.stiffness > 0.)
-        terms.push_back({pocket.gradient, pocket.oil.stiffness});
-    return terms;
-  }
-
-
-
-  Lubricant::Exchange
-  SheetPockets::exchange(const Vector &)
-  {
-    if (options.density.law != DensityLaw::incompressible)
-      return Exchange::converged;
-    if (++n_passes_ > most_passes)
-      return Exchange::failed;
-    Exchange result = Exchange::converged;
-    for (Enclosure &pocket : pockets)
-      if (std::abs(pocket.oil.pressure - pocket.multiplier) >
-          options.volume_tolerance * options.penalty_modulus)
-        {
-          pocket.multiplier = pocket.oil.pressure;
-          result            = Exchange::repeat;
-        }
-    return result;
-  }
-
-
-
-  std::string
-  SheetPockets::reason() const
-  {
-    return n_passes_ > most_passes ?
-             "the volume of the incompressible oil was not met" :
-             "";
-  }
-
-
-
-  void
-  SheetPockets::set_oil(const LubricantParameters &oil)
-  {
-    options.density = oil.compressibility;
-  }
-
-
-
   void
   SheetPockets::begin_step(const Vector      &u,
                            const unsigned int step,
                            const double,
                            const double)
   {
-    step_     = step;
-    n_passes_ = 0;
-    tracker   = accepted_tracker;
+    begin_passes(step);
+    tracker = accepted_tracker;
     if (options.sealing_gap > 0.)
       {
         sheet_void.measure(u);
         track();
       }
-    const auto &former = accepted_tracker.regions();
-    for (std::size_t i = 0; i < pockets.size(); ++i)
-      for (std::size_t j = 0; j < former.size(); ++j)
-        if (former[j].name == tracker.regions()[i].name)
-          pockets[i].multiplier = accepted_pressures[j];
+    hand_down_multipliers(tracker.regions(), accepted_tracker.regions());
   }
 
 
@@ -225,9 +137,7 @@ namespace asperity
     if (step_ > 0 && options.sealing_gap > 0.)
       tell_events();
     accepted_tracker = tracker;
-    accepted_pressures.clear();
-    for (const Enclosure &pocket : pockets)
-      accepted_pressures.push_back(pocket.oil.pressure);
+    accept_pressures();
   }
 
 
@@ -262,20 +172,11 @@ namespace asperity
   LubricantState
   SheetPockets::state() const
   {
-    LubricantState       state;
-    dealii::Tensor<1, 3> force;
-    for (const Enclosure &pocket : pockets)
-      {
-        const double p = pocket.oil.pressure;
-        if (p > 0.)
-          for (unsigned int i = 0; i < pocket.gradient.size(); ++i)
-            force[i % 3] += p * pocket.gradient(i);
-        state.max_pressure = std::max(state.max_pressure, p);
-        state.void_volume += pocket.volume / width;
-        state.reference_volume += pocket.reference_volume / width;
-        state.oil_volume +=
-          pocket.reference_volume / options.density.ratio(p) / width;
-      }
+    LubricantState state = sum_of_pockets();
+    for (double *volume :
+         {&state.void_volume, &state.reference_volume, &state.oil_volume})
+      *volume /= width;
+    const dealii::Tensor<1, 3> force = pressure_force<3>();
     state.pressure_force[0] =
       (force[0] * motion[0] + force[1] * motion[1]) / width;
     state.pressure_force[1] = force[2] / width;
@@ -285,48 +186,17 @@ namespace asperity
     state.smallest_film = sheet_void.gap(0);
     for (unsigned int e = 1; e < sheet_void.n_elements(); ++e)
       state.smallest_film = std::min(state.smallest_film, sheet_void.gap(e));
-    state.n_pockets = pockets.size();
     return state;
   }
 
 
 
-  const SheetPockets::Enclosure *
+  const EnclosedOil::Enclosure *
   SheetPockets::enclosure_at(const dealii::Point<2> &parameter) const
   {
     if (pockets.empty())
       return nullptr;
     return &pockets[tracker.places().region[sheet_void.element_at(parameter)]];
-  }
-
-
-
-  double
-  SheetPockets::pressure(const dealii::Point<2> &parameter) const
-  {
-    const Enclosure *pocket = enclosure_at(parameter);
-    return pocket != nullptr ? pocket->oil.pressure : 0.;
-  }
-
-
-
-  double
-  SheetPockets::coverage(const dealii::Point<2> &parameter) const
-  {
-    const Enclosure *pocket = enclosure_at(parameter);
-    if (pocket == nullptr || pocket->reference_volume == 0.)
-      return 0.;
-    const double oil =
-      pocket->reference_volume / options.density.ratio(pocket->oil.pressure);
-    return oil < pocket->volume ? oil / pocket->volume : 1.;
-  }
-
-
-
-  std::vector<std::string>
-  SheetPockets::events() const
-  {
-    return events_;
   }
 
 

@@ -1,8 +1,8 @@
 #ifndef asperity_lubricant_sheet_pockets_h
 #define asperity_lubricant_sheet_pockets_h
 
+#include <asperity/lubricant/enclosed_oil.h>
 #include <asperity/lubricant/region_tracker.h>
-#include <asperity/lubricant/sealed_pocket.h>
 #include <asperity/lubricant/sheet_void.h>
 
 #include <deal.II/base/tensor.h>
@@ -10,9 +10,8 @@
 namespace asperity
 {
   /**
-   * Liquid enclosed between a patch of the chip and the sheet of the tool,
-   * without flow: what SealedPocket is in two dimensions, with the same law of
-   * one pressure a pocket, potential and tangent.
+   * Oil that is enclosed between a patch of the chip and the sheet of the tool:
+   * what SealedPocket is in two dimensions.
    *
    * With a sealing gap, pockets are the connected regions of the void
    * (find_regions()), found at the start of each step, and their oil goes with
@@ -20,7 +19,7 @@ namespace asperity
    * a pocket like the others: the surfaces repeat, and the oil has nowhere to
    * leave to; events() tells of it. Without a sealing gap there is one pocket.
    */
-  class SheetPockets : public Lubricant
+  class SheetPockets : public EnclosedOil
   {
   public:
     /**
@@ -45,24 +44,12 @@ namespace asperity
         dealii::Vector<double>       &residual,
         dealii::SparseMatrix<double> *tangent) override;
 
-    std::vector<RankOneTerm>
-    rank_one_terms() const override;
-
-    void
-    set_oil(const LubricantParameters &oil) override;
-
     /** Finds the pockets at the start of the step. */
     void
     begin_step(const dealii::Vector<double> &u,
                const unsigned int            step,
                const double                  time,
                const double                  dt) override;
-
-    Exchange
-    exchange(const dealii::Vector<double> &u) override;
-
-    std::string
-    reason() const override;
 
     void
     accept(const dealii::Vector<double> &u) override;
@@ -71,16 +58,6 @@ namespace asperity
     LubricantState
     state() const override;
 
-    double
-    pressure(const dealii::Point<2> &parameter) const override;
-
-    /** That of the pocket. */
-    double
-    coverage(const dealii::Point<2> &parameter) const override;
-
-    std::vector<std::string>
-    events() const override;
-
     void
     save(OutputArchive &archive) const override;
 
@@ -88,15 +65,6 @@ namespace asperity
     load(InputArchive &archive) override;
 
   private:
-    struct Enclosure
-    {
-      double                 reference_volume = 0.; ///< V_r [m^3]
-      double                 volume           = 0.; ///< V [m^3]
-      PocketPressure         oil;
-      double                 multiplier = 0.; ///< of the incompressible law
-      dealii::Vector<double> gradient;        ///< dV/du [m^2]
-    };
-
     /** Finds the pockets at the measured displacement; the oil follows. */
     void
     track();
@@ -110,24 +78,17 @@ namespace asperity
     void
     tell_events();
 
-    /** Nullptr if everything is sealed. */
     const Enclosure *
-    enclosure_at(const dealii::Point<2> &parameter) const;
+    enclosure_at(const dealii::Point<2> &parameter) const override;
 
-    SealedPocketOptions    options;
-    SheetVoid              sheet_void;
-    dealii::Tensor<1, 3>   motion;
-    double                 length, width; ///< periods [m]
-    bool                   counts;
-    RegionTracker          tracker; ///< masses over rho_0 [m^3]
-    std::vector<Enclosure> pockets; ///< in the tracker's order
+    SheetVoid            sheet_void;
+    dealii::Tensor<1, 3> motion;
+    double               length, width; ///< periods [m]
+    bool                 counts;
+    RegionTracker        tracker; ///< masses over rho_0 [m^3]
 
-    /** As the last accepted step left them; pressures in its order. */
-    RegionTracker            accepted_tracker;
-    std::vector<double>      accepted_pressures;
-    unsigned int             step_     = 0;
-    unsigned int             n_passes_ = 0; ///< of exchange() in this step
-    std::vector<std::string> events_;
+    /** As the last accepted step left it. */
+    RegionTracker accepted_tracker;
   };
 } // namespace asperity
 
