@@ -129,22 +129,31 @@ namespace
   }
 
   /**
-   * What the ranks do with an error. All ranks read the same input, so all of
-   * them find what is wrong with it, and one of them says it. A computation may
-   * fail on one rank while the others wait for it: then MPI has to end them,
-   * unless all of them have found the failure together.
+   * What the ranks do with an error. What is wrong with the input all of them
+   * find, since all read it, and the first says it; only where a file differs
+   * between machines do the others go on. A computation may fail on one rank
+   * while the others wait for it, unless all have found the failure together.
+   * Ranks that wait for one with an error MPI has to end.
    */
   int
   report(const ExitStatus   status,
          const std::string &message,
          const bool         is_shared = false)
   {
-    const bool alone     = MpiSession::n_ranks() == 1;
-    const bool all_agree = is_shared || status == input_is_wrong;
-    std::cout.flush();
-    if (is_first_rank() || !all_agree)
+    const double patience  = 5.; // [s], in which ranks read a file
+    const bool   say_first = is_shared || status == input_is_wrong;
+    const auto   say       = [&]() {
+      std::cout.flush();
       std::cerr << "Error: " << printable(message) << std::endl;
-    if (!alone && !all_agree)
+    };
+    const bool has_said = is_first_rank() || !say_first;
+    if (has_said)
+      say();
+    if (say_first && MpiSession::all_ranks_meet(patience))
+      return status;
+    if (!has_said)
+      say();
+    if (MpiSession::n_ranks() > 1)
       MPI_Abort(MPI_COMM_WORLD, status);
     return status;
   }

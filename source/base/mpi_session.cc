@@ -5,7 +5,9 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/multithread_info.h>
 
+#include <chrono>
 #include <cstdlib>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -94,6 +96,8 @@ namespace asperity
       settings = std::make_unique<SettingsOfLoneProcess>();
     session->mpi =
       std::make_unique<MPI_InitFinalize>(session->argc, session->argv, 1);
+    if (n_ranks() > 1)
+      MPI_Comm_dup(MPI_COMM_WORLD, &session->errors);
   }
 
 
@@ -104,5 +108,26 @@ namespace asperity
     return session != nullptr && session->mpi ?
              dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) :
              1;
+  }
+
+
+
+  bool
+  MpiSession::all_ranks_meet(const double seconds)
+  {
+    if (n_ranks() == 1)
+      return true;
+    // A rank that is here may have to meet others which wait for it elsewhere,
+    // so this is no message that they could take for theirs.
+    MPI_Request request;
+    MPI_Ibarrier(session->errors, &request);
+    const double deadline = MPI_Wtime() + seconds;
+    int          met      = 0;
+    while (met == 0 && MPI_Wtime() < deadline)
+      {
+        MPI_Test(&request, &met, MPI_STATUS_IGNORE);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      }
+    return met != 0;
   }
 } // namespace asperity

@@ -169,3 +169,16 @@ TEST_F(RanksOfScene, refuse_a_solver_for_one_rank_together)
   ASSERT_NE(place, std::string::npos) << result.errors;
   EXPECT_EQ(result.errors.find(sentence, place + 1), std::string::npos);
 }
+
+
+
+TEST_F(RanksOfScene, end_when_one_of_them_alone_finds_a_wrong_input)
+{
+  write("scene.prm", scene("out") + "end\n");
+  const Result result = run("scene.prm : -np 1 '" ASPERITY_PROGRAM "' none.prm",
+                            "timeout 60 mpirun -np 1");
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.errors.find("The parameter file 'none.prm' does not exist"),
+            std::string::npos)
+    << result.errors;
+}

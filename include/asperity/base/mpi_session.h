@@ -1,6 +1,8 @@
 #ifndef asperity_base_mpi_session_h
 #define asperity_base_mpi_session_h
 
+#include <mpi.h>
+
 #include <memory>
 
 namespace dealii::Utilities::MPI
@@ -39,11 +41,17 @@ namespace asperity
     static unsigned int
     n_ranks();
 
+    /** Whether all ranks call this within so many seconds of each other, as
+     *  they do with an error that all of them find. */
+    static bool
+    all_ranks_meet(const double seconds);
+
   private:
     int    &argc;
     char **&argv;
 
     std::unique_ptr<dealii::Utilities::MPI::MPI_InitFinalize> mpi;
+    MPI_Comm errors = MPI_COMM_NULL; ///< for nothing else, of several ranks
   };
 } // namespace asperity
 
