@@ -39,8 +39,8 @@ namespace asperity
       "What becomes of heat. `isothermal`: temperatures stay; `adiabatic`: "
       "plastic work heats the point where it is done, and frictional heat is "
       "left out; `conducting`: both spread in the chip and into the tool; "
-      "`automatic`: conducting if the interface has a shear law and the scene "
-      "two dimensions, otherwise adiabatic; isothermal without Material/Adiabatic heating.");
+      "`automatic`: conducting if the interface has a shear law, otherwise "
+      "adiabatic; isothermal without Material/Adiabatic heating.");
     parameters.quantity("Chip conductivity",
                         chip_conductivity,
                         "W/(m K)",

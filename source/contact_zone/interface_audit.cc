@@ -18,11 +18,8 @@ namespace asperity
       return;
     if (parameters.heat_model() != HeatModel::conducting)
       audit.warnings.push_back(
-        parameters.geometry.dimension == 3 ?
-          "The heat of friction is left out: scenes in three dimensions do not "
-          "conduct it." :
-          "The heat of friction is left out: with Heat/Model = conducting the "
-          "work of the interface's shear warms chip and tool.");
+        "The heat of friction is left out: with Heat/Model = conducting the "
+        "work of the interface's shear warms chip and tool.");
     if (interface.uses_shear_strength() &&
         interface.shear_factor >= nearly_welded)
       audit.warnings.push_back(

@@ -209,10 +209,14 @@ namespace asperity
   void
   Scene<dim>::build_heat(const SceneParameters &parameters)
   {
-    if constexpr (dim == 2)
-      if (parameters.heat_model() == HeatModel::conducting)
-        heat = std::make_unique<SceneHeat>(
-          parameters, *space, geometry, length, *chip, *contact);
+    if (parameters.heat_model() != HeatModel::conducting)
+      return;
+    typename SceneHeat<dim>::Periods periods;
+    periods[0] = length;
+    if constexpr (dim == 3)
+      periods[1] = width;
+    heat = std::make_unique<SceneHeat<dim>>(
+      parameters, *space, geometry, periods, *chip, *contact, share_);
   }
 
 

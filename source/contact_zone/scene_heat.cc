@@ -42,47 +42,91 @@ namespace asperity
       return parameters.heat.tool_temperature.value_or(
         parameters.load.temperature);
     }
+
+    /** Those of the chip where its table has none. */
+    template <int dim>
+    GradientRows
+    rows_of_gradients(const SolidAssembler<dim> &chip)
+    {
+      if constexpr (dim == 2)
+        return {};
+      else
+        return [&chip](const unsigned int element) {
+          return chip.element_gradients(element).from_point(0);
+        };
+    }
+
+    /** Elements of a face along a direction. */
+    template <int dim>
+    unsigned int
+    n_elements_along(const BasisTable<dim> &face, const unsigned int direction)
+    {
+      std::vector<double> begins;
+      for (const auto &element : face.elements)
+        begins.push_back(face.parameter[element.first_point][direction]);
+      std::sort(begins.begin(), begins.end());
+      const double small = 1e-9 * (begins.back() - begins.front());
+      unsigned int n     = 1;
+      for (std::size_t i = 1; i < begins.size(); ++i)
+        n += begins[i] - begins[i - 1] > small;
+      return n;
+    }
+
+    /** The waves of a face whose shortest one is so many elements long. */
+    template <int dim>
+    FourierBasis<dim>
+    waves_along(const BasisTable<dim>             &face,
+                const std::array<double, dim - 1> &periods,
+                const unsigned int                 elements_of_shortest)
+    {
+      std::array<unsigned int, dim - 1> n_waves;
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        n_waves[d] = n_elements_along(face, d) / elements_of_shortest;
+      return FourierBasis<dim>(periods, n_waves);
+    }
   } // namespace
 
 
 
-  SceneHeat::SceneHeat(const SceneParameters     &parameters,
-                       const SplineSpace<2>      &space,
-                       const PatchGeometry<2>    &geometry,
-                       const double               period,
-                       SolidAssembler<2>         &chip,
-                       const ContactAssembler<2> &contact)
+  template <int dim>
+  SceneHeat<dim>::SceneHeat(const SceneParameters       &parameters,
+                            const SplineSpace<dim>      &space,
+                            const PatchGeometry<dim>    &geometry,
+                            const Periods               &periods,
+                            SolidAssembler<dim>         &chip,
+                            const ContactAssembler<dim> &contact,
+                            const CellShare             &share)
     : parameters(parameters.heat)
     , has_oil(parameters.lubrication.model != LubricantModel::none)
     , start(parameters.load.temperature)
     , material(parameters.chip_thermal())
     , chip(chip)
     , contact(contact)
-    , conduction(chip.table(), space.n_functions(), material)
+    , conduction(chip.table(), space, material, share, rows_of_gradients(chip))
+    // shorter waves change nothing (doc/theory.md)
     , exchange(contact.table(),
                parameters.heat.tool,
-               period,
-               // shorter waves change nothing (doc/theory.md)
-               contact.table().elements.size() / 2,
+               waves_along(contact.table(), periods, 2),
                temperature_of_tool(parameters) - start)
     , chip_rise(contact.table().JxW.size(), 0.)
     , tool_rise(chip_rise.size(), temperature_of_tool(parameters) - start)
     , to_tool(chip_rise.size(), 0.)
   {
-    const BasisTable<2> bottom =
+    const BasisTable<dim> bottom =
       tabulate_edge(space,
                     geometry,
                     Edge::bottom,
-                    dealii::QGauss<1>(space.degree() + 2),
+                    dealii::QGauss<dim - 1>(space.degree() + 2),
                     true);
     // The bottom has the coarsest elements, four for the shortest wave.
-    conduction.continue_beyond(bottom, period, bottom.elements.size() / 4);
+    conduction.continue_beyond(bottom, waves_along(bottom, periods, 4));
   }
 
 
 
+  template <int dim>
   Vector
-  SceneHeat::plastic_power(const double dt) const
+  SceneHeat<dim>::plastic_power(const double dt) const
   {
     // At the start of the step the points had the temperature of the field.
     Vector power = conduction.rise_at_points();
@@ -94,17 +138,18 @@ namespace asperity
 
 
 
-  InterfaceHeat
-  SceneHeat::interface(const std::vector<double> &friction) const
+  template <int dim>
+  InterfaceHeat<dim>
+  SceneHeat<dim>::interface(const std::vector<double> &friction) const
   {
-    InterfaceHeat           heat;
+    InterfaceHeat<dim>      heat;
     const std::vector<bool> touches = contact.touching();
     const double            h       = parameters.contact_conductance;
     heat.friction                   = friction;
+    heat.places                     = places_along(contact.positions());
     for (unsigned int q = 0; q < touches.size(); ++q)
       {
         const double gap = std::max(0., contact.gaps()[q].gap);
-        heat.x.push_back(contact.positions()[q][0]);
         // h and the oil's lambda/g in series.
         const double lambda = has_oil ? parameters.oil_conductivity : 0.;
         const double open = lambda > 0. ? h * lambda / (lambda + h * gap) : 0.;
@@ -115,17 +160,18 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  SceneHeat::advance(const Vector              &u,
-                     const double               dt,
-                     const std::vector<double> &friction)
+  SceneHeat<dim>::advance(const Vector              &u,
+                          const double               dt,
+                          const std::vector<double> &friction)
   {
     const HeatAmounts before  = total;
     const Vector      plastic = plastic_power(dt);
     conduction.begin_step(u, dt);
     Vector power(conduction.rise().size());
     conduction.add_source(plastic, power);
-    const ThermalContact::Step step =
+    const typename ThermalContact<dim>::Step step =
       exchange.solve(conduction, dt, power, interface(friction));
     conduction.accept(step.chip_change);
     exchange.accept(step);
@@ -151,16 +197,18 @@ namespace asperity
 
 
 
+  template <int dim>
   const HeatAmounts &
-  SceneHeat::amounts() const
+  SceneHeat<dim>::amounts() const
   {
     return total;
   }
 
 
 
+  template <int dim>
   double
-  SceneHeat::balance_error() const
+  SceneHeat<dim>::balance_error() const
   {
     return balance_error_;
   }
@@ -180,32 +228,36 @@ namespace asperity
 
 
 
+  template <int dim>
   std::vector<double>
-  SceneHeat::chip_temperature() const
+  SceneHeat<dim>::chip_temperature() const
   {
     return shifted(chip_rise, start);
   }
 
 
 
+  template <int dim>
   std::vector<double>
-  SceneHeat::tool_temperature() const
+  SceneHeat<dim>::tool_temperature() const
   {
     return shifted(tool_rise, start);
   }
 
 
 
+  template <int dim>
   const std::vector<double> &
-  SceneHeat::flux_to_tool() const
+  SceneHeat<dim>::flux_to_tool() const
   {
     return to_tool;
   }
 
 
 
+  template <int dim>
   double
-  SceneHeat::mean_tool_temperature() const
+  SceneHeat<dim>::mean_tool_temperature() const
   {
     double                     sum = 0., length = 0.;
     const std::vector<double> &weights = contact.table().JxW;
@@ -219,8 +271,9 @@ namespace asperity
 
 
 
+  template <int dim>
   double
-  SceneHeat::flash_temperature() const
+  SceneHeat<dim>::flash_temperature() const
   {
     return start +
            std::max(*std::max_element(chip_rise.begin(), chip_rise.end()),
@@ -229,8 +282,9 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  SceneHeat::save(OutputArchive &archive) const
+  SceneHeat<dim>::save(OutputArchive &archive) const
   {
     conduction.save(archive);
     exchange.save(archive);
@@ -240,8 +294,9 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  SceneHeat::load(InputArchive &archive)
+  SceneHeat<dim>::load(InputArchive &archive)
   {
     conduction.load(archive);
     exchange.load(archive);
@@ -253,4 +308,9 @@ namespace asperity
     total.depth  = conduction.passed_on();
     total.tool   = exchange.heat_of_tool();
   }
+
+
+
+  template class SceneHeat<2>;
+  template class SceneHeat<3>;
 } // namespace asperity

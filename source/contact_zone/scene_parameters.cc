@@ -13,8 +13,7 @@ namespace asperity
                        Range::between(2, 3),
                        "2: profiles in plane strain; 3: a patch of the "
                        "surfaces, periodic along x and y, "
-                       "with oil in pockets at most and without conduction of "
-                       "heat.");
+                       "with oil in pockets at most.");
     parameters.quantity("Width",
                         width,
                         "um",
@@ -344,9 +343,8 @@ namespace asperity
       return HeatModel::isothermal;
     // The heat of friction arises on the surface: without conduction it has
     // nowhere to go, and the layer that shears would melt by its own heat.
-    return interface.law == InterfaceShear::none || geometry.dimension == 3 ?
-             HeatModel::adiabatic :
-             HeatModel::conducting;
+    return interface.law == InterfaceShear::none ? HeatModel::adiabatic :
+                                                   HeatModel::conducting;
   }
 
 

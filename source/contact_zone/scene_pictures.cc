@@ -52,6 +52,30 @@ namespace asperity
 
 
 
+  namespace
+  {
+    /** What heat adds at the points of the contact, with its unit. */
+    template <int dim>
+    std::vector<std::pair<std::string, std::vector<double>>>
+    fields_of_heat(const Scene<dim> &scene)
+    {
+      if (!scene.heat)
+        return {};
+      std::vector<double> chip = scene.heat->chip_temperature(),
+                          tool = scene.heat->tool_temperature();
+      for (std::size_t q = 0; q < chip.size(); ++q)
+        {
+          chip[q] -= 273.15;
+          tool[q] -= 273.15;
+        }
+      return {{"temperature of the chip [degC]", chip},
+              {"temperature of the tool [degC]", tool},
+              {"heat flux into the tool [W/m^2]", scene.heat->flux_to_tool()}};
+    }
+  } // namespace
+
+
+
   template <>
   void
   SceneOutput<2>::write_contact(const dealii::Vector<double> &u,
@@ -92,19 +116,8 @@ namespace asperity
         line.scalars.emplace_back("shear traction [Pa]", shear_traction);
         line.scalars.emplace_back("sticking [-]", shear->sticking());
       }
-    if (scene.heat)
-      {
-        const auto add = [&line](const std::string  &name,
-                                 std::vector<double> temperature) {
-          for (double &value : temperature)
-            value -= 273.15;
-          line.scalars.push_back({name, temperature});
-        };
-        add("temperature of the chip [degC]", scene.heat->chip_temperature());
-        add("temperature of the tool [degC]", scene.heat->tool_temperature());
-        line.scalars.push_back(
-          {"heat flux into the tool [W/m^2]", scene.heat->flux_to_tool()});
-      }
+    for (const auto &[name, values] : fields_of_heat(scene))
+      line.scalars.emplace_back(name, values);
     contact_line.write(step, time, [&](std::ostream &out) {
       write_polyline(out, line, time, step);
     });
@@ -162,6 +175,8 @@ namespace asperity
         add("shear traction [Pa]", shear_traction);
         add("sticking [-]", shear->sticking());
       }
+    for (const auto &[name, values] : fields_of_heat(scene))
+      add(name, values);
     contact_line.write(step, time, [&](std::ostream &out) {
       write_surface(out, picture, time, step);
     });

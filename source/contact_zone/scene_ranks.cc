@@ -34,6 +34,18 @@ namespace asperity
      *  face, histories and vectors. */
     constexpr double repeated_by_rank = 1.8e3;
 
+    /** What each rank takes to conduct heat [bytes]: a factor with one unknown
+     *  a function, whose blocks are a ninth of those of three components, and
+     *  three matrices with their pattern, and where their entries stand. */
+    double
+    heat_memory(const double n_elements, const unsigned int degree)
+    {
+      return sizeof(double) * numbers_in_factor(n_elements, degree) / 9. +
+             n_elements * std::pow(2. * degree + 1., 3) *
+               (3 * sizeof(double) + sizeof(unsigned int)) +
+             n_elements * std::pow(degree + 1., 6) * sizeof(unsigned int);
+    }
+
     std::string
     format_number_of_bytes(const double bytes)
     {
@@ -116,9 +128,13 @@ namespace asperity
     const double available  = -ranks.largest(-available_memory());
     const double n_unknowns = 3. * n_elements;
     const double repeated = (ranks.size() - 1.) * repeated_by_rank * n_unknowns;
-    const auto   fits     = [&](const DirectSolverKind kind) {
+    const double beside =
+      parameters.heat_model() == HeatModel::conducting ?
+        repeated + ranks.size() * heat_memory(n_elements, degree) :
+        repeated;
+    const auto fits = [&](const DirectSolverKind kind) {
       return available <= 0. ||
-             patch_memory(n_elements, degree, kind) + repeated <= available;
+             patch_memory(n_elements, degree, kind) + beside <= available;
     };
     linear_solver_ = wanted;
     if (wanted == DirectSolverKind::automatic)
@@ -139,7 +155,7 @@ namespace asperity
       "Mesh: these entries make a mesh of about " +
       format_quantity(n_elements, "1", 2) + " elements, which takes about " +
       format_number_of_bytes(patch_memory(n_elements, degree, linear_solver_) +
-                             repeated) +
+                             beside) +
       " of memory; this machine can give " + format_number_of_bytes(available) +
       ": " + remedy +
       " or Spans across, a larger Row grading, a smaller Strip depth, or a "

@@ -70,11 +70,11 @@ namespace asperity
   SlidingRun<dim>::record_heat(FrictionRow &row) const
   {
     const HeatAmounts &heat = scene.heat->amounts();
-    row.plastic_heat        = heat.plastic;
-    row.friction_heat       = heat.friction;
-    row.stored_heat         = heat.stored;
-    row.depth_heat          = heat.depth;
-    row.tool_heat           = heat.tool;
+    row.plastic_heat        = heat.plastic / scene.width;
+    row.friction_heat       = heat.friction / scene.width;
+    row.stored_heat         = heat.stored / scene.width;
+    row.depth_heat          = heat.depth / scene.width;
+    row.tool_heat           = heat.tool / scene.width;
     row.heat_balance_error  = scene.heat->balance_error();
   }
 

@@ -9,33 +9,25 @@ namespace asperity
 {
   using Vector = dealii::Vector<double>;
 
-  BodyContinuation::BodyContinuation(const BasisTable<2>     &edge,
-                                     const ThermalProperties &material,
-                                     const double             period,
-                                     const unsigned int       n_waves)
-    : beyond(material, period, n_waves)
+  template <int dim>
+  BodyContinuation<dim>::BodyContinuation(const BasisTable<dim>   &edge,
+                                          const ThermalProperties &material,
+                                          const FourierBasis<dim> &waves)
+    : beyond(material, waves)
   {
     std::set<unsigned int> sorted;
     for (const auto &entry : edge.elements)
       sorted.insert(entry.functions.begin(), entry.functions.end());
     functions.assign(sorted.begin(), sorted.end());
-    std::vector<double> x;
-    for (const auto &position : edge.position)
-      x.push_back(position[0]);
-    dealii::LAPACKFullMatrix<double> f = beyond.basis().values(x);
+    const FourierValues<dim> f(waves, places_along(edge.position));
     // A wave carries no heat on the whole, to the last bit.
-    for (unsigned int m = 1; m < f.n(); ++m)
-      {
-        double mean = 0.;
-        for (unsigned int q = 0; q < f.m(); ++q)
-          mean += edge.JxW[q] * f(q, m) / period;
-        for (unsigned int q = 0; q < f.m(); ++q)
-          f(q, m) -= mean;
-      }
-    b.reinit(f.n(), functions.size());
+    Vector mean = f.sums(Vector(edge.JxW.begin(), edge.JxW.end()));
+    mean /= waves.area();
+    mean(0) = 0.;
+    b.reinit(waves.size(), functions.size());
     for (const auto &entry : edge.elements)
       {
-        const ElementView<2> element(edge, entry);
+        const ElementView<dim> element(edge, entry);
         for (unsigned int a = 0; a < element.n_functions(); ++a)
           {
             const unsigned int column = std::lower_bound(functions.begin(),
@@ -43,17 +35,19 @@ namespace asperity
                                                          element.function(a)) -
                                         functions.begin();
             for (unsigned int q = 0; q < edge.points_per_element; ++q)
-              for (unsigned int m = 0; m < f.n(); ++m)
-                b(m, column) +=
-                  f(element.point(q), m) * element.N(q, a) * element.JxW(q);
+              for (unsigned int m = 0; m < b.m(); ++m)
+                b(m, column) += (f(element.point(q), m) - mean(m)) *
+                                element.N(q, a) * element.JxW(q);
           }
       }
   }
 
 
 
+  template <int dim>
   void
-  BodyContinuation::add_couplings(dealii::DynamicSparsityPattern &pattern) const
+  BodyContinuation<dim>::add_couplings(
+    dealii::DynamicSparsityPattern &pattern) const
   {
     for (const unsigned int row : functions)
       pattern.add_entries(row, functions.begin(), functions.end(), true);
@@ -61,8 +55,9 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  BodyContinuation::begin_step(const double new_dt)
+  BodyContinuation<dim>::begin_step(const double new_dt)
   {
     dt         = new_dt;
     response   = beyond.response(dt);
@@ -71,23 +66,30 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  BodyContinuation::add_conductance(dealii::SparseMatrix<double> &matrix) const
+  BodyContinuation<dim>::add_conductance(
+    dealii::SparseMatrix<double> &matrix) const
   {
+    dealii::FullMatrix<double> weighted(b), sum(functions.size());
+    for (unsigned int m = 0; m < b.m(); ++m)
+      for (unsigned int i = 0; i < functions.size(); ++i)
+        weighted(m, i) *= beyond.basis().norm(m) / response(m);
+    weighted.Tmmult(sum, b);
     for (unsigned int i = 0; i < functions.size(); ++i)
-      for (unsigned int j = 0; j < functions.size(); ++j)
-        {
-          double sum = 0.;
-          for (unsigned int m = 0; m < b.m(); ++m)
-            sum += beyond.basis().norm(m) / response(m) * b(m, i) * b(m, j);
-          matrix.add(functions[i], functions[j], sum);
-        }
+      matrix.add(functions[i],
+                 functions.size(),
+                 functions.data(),
+                 &sum(i, 0),
+                 true,
+                 true);
   }
 
 
 
+  template <int dim>
   Vector
-  BodyContinuation::flux(const Vector &rise) const
+  BodyContinuation<dim>::flux(const Vector &rise) const
   {
     Vector q(b.m());
     for (unsigned int m = 0; m < q.size(); ++m)
@@ -102,8 +104,9 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  BodyContinuation::add_power(const Vector &rise, Vector &power) const
+  BodyContinuation<dim>::add_power(const Vector &rise, Vector &power) const
   {
     const Vector q = flux(rise);
     for (unsigned int i = 0; i < functions.size(); ++i)
@@ -113,33 +116,42 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  BodyContinuation::accept(const Vector &rise)
+  BodyContinuation<dim>::accept(const Vector &rise)
   {
     beyond.accept(flux(rise), dt);
   }
 
 
 
+  template <int dim>
   double
-  BodyContinuation::heat() const
+  BodyContinuation<dim>::heat() const
   {
     return beyond.heat();
   }
 
 
 
+  template <int dim>
   void
-  BodyContinuation::save(OutputArchive &archive) const
+  BodyContinuation<dim>::save(OutputArchive &archive) const
   {
     beyond.save(archive);
   }
 
 
 
+  template <int dim>
   void
-  BodyContinuation::load(InputArchive &archive)
+  BodyContinuation<dim>::load(InputArchive &archive)
   {
     beyond.load(archive);
   }
+
+
+
+  template class BodyContinuation<2>;
+  template class BodyContinuation<3>;
 } // namespace asperity

@@ -22,15 +22,44 @@ namespace asperity
 
 
 
+    /** J F^{-T} of F, and J. */
+    template <int dim>
+    double
+    cofactors(const double (&F)[dim][dim], double (&C)[dim][dim])
+    {
+      if constexpr (dim == 2)
+        {
+          C[0][0] = F[1][1];
+          C[0][1] = -F[1][0];
+          C[1][0] = -F[0][1];
+          C[1][1] = F[0][0];
+        }
+      else
+        for (unsigned int i = 0; i < 3; ++i)
+          for (unsigned int j = 0; j < 3; ++j)
+            {
+              const unsigned int k = (i + 1) % 3, l = (i + 2) % 3,
+                                 m = (j + 1) % 3, n = (j + 2) % 3;
+              C[i][j] = F[k][m] * F[l][n] - F[k][n] * F[l][m];
+            }
+      double J = 0.;
+      for (unsigned int j = 0; j < dim; ++j)
+        J += F[0][j] * C[0][j];
+      return J;
+    }
+
+
+
     /**
      * Adds the points of an element.
      *
-     * @param gradients both components at each point, rows of length stride
-     * @param u rows of both components of the displacement
-     * @param flux two rows to work in, J C^{-1} Grad N_b
+     * @param gradients all components at each point, rows of length stride
+     * @param u rows of all components of the displacement
+     * @param flux dim rows to work in, J C^{-1} Grad N_b
      * @return whether J > 0 everywhere
      */
-    ASPERITY_ALL_VECTOR_WIDTHS ASPERITY_INLINE_ALL bool
+    template <int dim>
+    bool
     integrate_points(const unsigned int n_points,
                      const unsigned int n,
                      const unsigned int stride,
@@ -42,55 +71,89 @@ namespace asperity
     {
       for (unsigned int q = 0; q < n_points; ++q)
         {
-          const double *const G_0  = gradients + 2 * q * stride,
-                              *G_1 = G_0 + stride;
-          Pack F_00{}, F_01{}, F_10{}, F_11{};
+          const double *const G           = gradients + dim * q * stride;
+          Pack                H[dim][dim] = {};
           for (unsigned int k = 0; k < stride; k += width)
-            {
-              F_00 += at(u + k) * at(G_0 + k);
-              F_01 += at(u + k) * at(G_1 + k);
-              F_10 += at(u + stride + k) * at(G_0 + k);
-              F_11 += at(u + stride + k) * at(G_1 + k);
-            }
-          const double F[2][2] = {{1. + sum(F_00), sum(F_01)},
-                                  {sum(F_10), 1. + sum(F_11)}};
-          const double J       = F[0][0] * F[1][1] - F[0][1] * F[1][0];
+            for (unsigned int i = 0; i < dim; ++i)
+              for (unsigned int d = 0; d < dim; ++d)
+                H[i][d] += at(u + i * stride + k) * at(G + d * stride + k);
+          double F[dim][dim], C[dim][dim];
+          for (unsigned int i = 0; i < dim; ++i)
+            for (unsigned int d = 0; d < dim; ++d)
+              F[i][d] = (i == d ? 1. : 0.) + sum(H[i][d]);
+          const double J = cofactors<dim>(F, C);
           if (!(J > 0.))
             return false;
-          // J C^{-1} = adj(C) / J
-          const double w    = weights[q] / J;
-          const double K_00 = w * (F[0][1] * F[0][1] + F[1][1] * F[1][1]),
-                       K_11 = w * (F[0][0] * F[0][0] + F[1][0] * F[1][0]),
-                       K_01 = -w * (F[0][0] * F[0][1] + F[1][0] * F[1][1]);
+          // J C^{-1} = (J F^{-1}) (J F^{-T})/J
+          double K[dim][dim];
+          for (unsigned int d = 0; d < dim; ++d)
+            for (unsigned int e = 0; e < dim; ++e)
+              {
+                K[d][e] = 0.;
+                for (unsigned int i = 0; i < dim; ++i)
+                  K[d][e] += weights[q] / J * C[i][d] * C[i][e];
+              }
           for (unsigned int k = 0; k < stride; k += width)
-            {
-              at(flux + k)          = K_00 * at(G_0 + k) + K_01 * at(G_1 + k);
-              at(flux + stride + k) = K_01 * at(G_0 + k) + K_11 * at(G_1 + k);
-            }
+            for (unsigned int d = 0; d < dim; ++d)
+              {
+                Pack component = K[d][0] * at(G + k);
+                for (unsigned int e = 1; e < dim; ++e)
+                  component += K[d][e] * at(G + e * stride + k);
+                at(flux + d * stride + k) = component;
+              }
           for (unsigned int a = 0; a < n; ++a)
             for (unsigned int k = 0; k < stride; k += width)
-              at(block + a * stride + k) +=
-                G_0[a] * at(flux + k) + G_1[a] * at(flux + stride + k);
+              {
+                Pack product = at(block + a * stride + k);
+                for (unsigned int d = 0; d < dim; ++d)
+                  product += G[d * stride + a] * at(flux + d * stride + k);
+                at(block + a * stride + k) = product;
+              }
         }
       return true;
+    }
+
+
+
+    ASPERITY_ALL_VECTOR_WIDTHS ASPERITY_INLINE_ALL bool
+    integrate_points(const unsigned int dim,
+                     const unsigned int n_points,
+                     const unsigned int n,
+                     const unsigned int stride,
+                     const double      *gradients,
+                     const double      *weights,
+                     const double      *u,
+                     double            *flux,
+                     double            *block)
+    {
+      return dim == 2 ?
+               integrate_points<2>(
+                 n_points, n, stride, gradients, weights, u, flux, block) :
+               integrate_points<3>(
+                 n_points, n, stride, gradients, weights, u, flux, block);
     }
   } // namespace
 
 
 
-  ConductanceIntegrals::ConductanceIntegrals(const BasisTable<2> &cells)
+  template <int dim>
+  ConductanceIntegrals<dim>::ConductanceIntegrals(const BasisTable<dim> &cells,
+                                                  const GradientRows    &rows)
     : cells(cells)
+    , rows(rows)
   {
+    if (rows)
+      return;
     for (unsigned int e = 0; e < cells.elements.size(); ++e)
       {
-        const ElementView<2> element(cells, cells.elements[e]);
-        const unsigned int   n_columns = stride(e);
+        const ElementView<dim> element(cells, cells.elements[e]);
+        const unsigned int     n_columns = stride(e);
         first.push_back(gradients.size());
         gradients.resize(gradients.size() +
-                         2 * cells.points_per_element * n_columns);
-        double *row = &gradients[first.back()];
+                         dim * cells.points_per_element * n_columns);
+        double *row = gradients.data() + first.back();
         for (unsigned int q = 0; q < cells.points_per_element; ++q)
-          for (unsigned int c = 0; c < 2; ++c, row += n_columns)
+          for (unsigned int c = 0; c < dim; ++c, row += n_columns)
             for (unsigned int a = 0; a < element.n_functions(); ++a)
               row[a] = element.gradient(q, a)[c];
       }
@@ -98,35 +161,52 @@ namespace asperity
 
 
 
+  template <int dim>
+  const double *
+  ConductanceIntegrals<dim>::gradient_rows(const unsigned int element) const
+  {
+    return rows ? rows(element) : gradients.data() + first[element];
+  }
+
+
+
+  template <int dim>
   unsigned int
-  ConductanceIntegrals::stride(const unsigned int element) const
+  ConductanceIntegrals<dim>::stride(const unsigned int element) const
   {
     return neighbours::padded(cells.elements[element].functions.size());
   }
 
 
 
+  template <int dim>
   const double *
-  ConductanceIntegrals::integrate(const unsigned int            element,
-                                  const dealii::Vector<double> &u)
+  ConductanceIntegrals<dim>::integrate(const unsigned int            element,
+                                       const dealii::Vector<double> &u)
   {
-    const ElementView<2> view(cells, cells.elements[element]);
-    const unsigned int   n = view.n_functions(), n_columns = stride(element);
-    work.assign(4 * n_columns, 0.);
+    const ElementView<dim> view(cells, cells.elements[element]);
+    const unsigned int     n = view.n_functions(), n_columns = stride(element);
+    work.assign(2 * dim * n_columns, 0.);
     block.assign(n * n_columns, 0.);
     for (unsigned int a = 0; a < n; ++a)
-      for (unsigned int c = 0; c < 2; ++c)
+      for (unsigned int c = 0; c < dim; ++c)
         work[c * n_columns + a] = u(view.dof(a, c));
-    if (!integrate_points(cells.points_per_element,
+    if (!integrate_points(dim,
+                          cells.points_per_element,
                           n,
                           n_columns,
-                          &gradients[first[element]],
+                          gradient_rows(element),
                           &cells.JxW[cells.elements[element].first_point],
                           work.data(),
-                          work.data() + 2 * n_columns,
+                          work.data() + dim * n_columns,
                           block.data()))
       throw ComputationError("An element of the chip is folded, where no heat "
                              "can be conducted.");
     return block.data();
   }
+
+
+
+  template class ConductanceIntegrals<2>;
+  template class ConductanceIntegrals<3>;
 } // namespace asperity

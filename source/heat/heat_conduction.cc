@@ -11,15 +11,20 @@ namespace asperity
   using Vector = dealii::Vector<double>;
   using Matrix = dealii::SparseMatrix<double>;
 
-  HeatConduction::HeatConduction(const BasisTable<2>     &cells,
-                                 const unsigned int       n_functions,
-                                 const ThermalProperties &material)
+  template <int dim>
+  HeatConduction<dim>::HeatConduction(const BasisTable<dim>   &cells,
+                                      const SplineSpace<dim>  &space,
+                                      const ThermalProperties &material,
+                                      const CellShare         &share,
+                                      const GradientRows      &rows)
     : cells(cells)
-    , integrals(cells)
+    , space(space)
+    , share(share)
+    , integrals(cells, rows)
     , material(material)
     , solver(make_direct_solver(DirectSolverKind::cholmod))
-    , rise_(n_functions)
-    , heat_content(n_functions)
+    , rise_(space.n_functions())
+    , heat_content(space.n_functions())
   {
     make_pattern();
     assemble_capacity();
@@ -27,27 +32,29 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  HeatConduction::continue_beyond(const BasisTable<2> &edge,
-                                  const double         period,
-                                  const unsigned int   n_waves)
+  HeatConduction<dim>::continue_beyond(const BasisTable<dim>   &edge,
+                                       const FourierBasis<dim> &waves)
   {
-    continuation.emplace(edge, material, period, n_waves);
+    continuation.emplace(edge, material, waves);
     make_pattern();
     assemble_capacity();
   }
 
 
 
+  template <int dim>
   void
-  HeatConduction::make_pattern()
+  HeatConduction<dim>::make_pattern()
   {
     dealii::DynamicSparsityPattern couplings(rise_.size());
-    for (const auto &element : cells.elements)
-      for (const unsigned int a : element.functions)
-        couplings.add_entries(a,
-                              element.functions.begin(),
-                              element.functions.end());
+    for (unsigned int cell = 0; cell < space.n_cells(); ++cell)
+      {
+        const std::vector<unsigned int> &functions = space.cell_functions(cell);
+        for (const unsigned int a : functions)
+          couplings.add_entries(a, functions.begin(), functions.end());
+      }
     if (continuation)
       continuation->add_couplings(couplings);
     pattern.copy_from(couplings);
@@ -58,15 +65,18 @@ namespace asperity
 
 
 
+  template <int dim>
   template <class Block>
   void
-  HeatConduction::add_blocks(const Block &block, Matrix &sum)
+  HeatConduction<dim>::add_blocks(const Block &block, Matrix &sum)
   {
     entries.begin(sum);
     for (unsigned int e = 0; e < cells.elements.size(); ++e)
       {
         const std::vector<unsigned int> &functions =
           cells.elements[e].functions;
+        if (functions.empty()) // of another rank
+          continue;
         const double *row = block(e);
         for (const unsigned int a : functions)
           {
@@ -75,20 +85,22 @@ namespace asperity
             row += integrals.stride(e);
           }
       }
+    share.ranks.sum(&sum.diag_element(0), sum.n_nonzero_elements());
   }
 
 
 
+  template <int dim>
   void
-  HeatConduction::assemble_capacity()
+  HeatConduction<dim>::assemble_capacity()
   {
     capacity     = 0.;
     heat_content = 0.;
     std::vector<double> block;
     add_blocks(
       [&](const unsigned int e) {
-        const ElementView<2> element(cells, cells.elements[e]);
-        const unsigned int   n    = element.n_functions(),
+        const ElementView<dim> element(cells, cells.elements[e]);
+        const unsigned int     n  = element.n_functions(),
                            stride = integrals.stride(e);
         block.assign(n * stride, 0.);
         for (unsigned int q = 0; q < cells.points_per_element; ++q)
@@ -105,12 +117,14 @@ namespace asperity
         return block.data();
       },
       capacity);
+    share.ranks.sum(heat_content.begin(), heat_content.size());
   }
 
 
 
+  template <int dim>
   void
-  HeatConduction::assemble_conductance(const Vector &u)
+  HeatConduction<dim>::assemble_conductance(const Vector &u)
   {
     conductance = 0.;
     add_blocks([&](const unsigned int e) { return integrals.integrate(e, u); },
@@ -120,8 +134,9 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  HeatConduction::begin_step(const Vector &u, const double dt)
+  HeatConduction<dim>::begin_step(const Vector &u, const double dt)
   {
     assemble_conductance(u);
     matrix.copy_from(conductance);
@@ -138,26 +153,32 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  HeatConduction::add_source(const Vector &source, Vector &power) const
+  HeatConduction<dim>::add_source(const Vector &source, Vector &power) const
   {
     Vector heat = source;
     heat.scale(Vector(cells.JxW.begin(), cells.JxW.end()));
-    add_point_values(cells, heat, power);
+    Vector sum(power.size());
+    add_point_values(cells, heat, sum);
+    share.ranks.sum(sum.begin(), sum.size());
+    power += sum;
   }
 
 
 
+  template <int dim>
   void
-  HeatConduction::respond(Vector &power) const
+  HeatConduction<dim>::respond(Vector &power) const
   {
     solver->solve(power);
   }
 
 
 
+  template <int dim>
   Vector
-  HeatConduction::change(const Vector &power) const
+  HeatConduction<dim>::change(const Vector &power) const
   {
     Vector change(power.size());
     conductance.vmult(change, rise_);
@@ -171,8 +192,9 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  HeatConduction::accept(const Vector &change)
+  HeatConduction<dim>::accept(const Vector &change)
   {
     rise_ += change;
     if (continuation)
@@ -181,40 +203,50 @@ namespace asperity
 
 
 
+  template <int dim>
   const Vector &
-  HeatConduction::rise() const
+  HeatConduction<dim>::rise() const
   {
     return rise_;
   }
 
 
 
+  template <int dim>
   Vector
-  HeatConduction::rise_at_points() const
+  HeatConduction<dim>::rise_at_points() const
   {
-    return values_at_points(cells, rise_);
+    const Vector own = values_at_points(cells, rise_);
+    if (!share.ranks.are_several())
+      return own;
+    std::vector<double> all(own.begin(), own.end());
+    share.ranks.share(share.owner, all);
+    return Vector(all.begin(), all.end());
   }
 
 
 
+  template <int dim>
   double
-  HeatConduction::stored() const
+  HeatConduction<dim>::stored() const
   {
     return heat_content * rise_;
   }
 
 
 
+  template <int dim>
   double
-  HeatConduction::passed_on() const
+  HeatConduction<dim>::passed_on() const
   {
     return continuation ? continuation->heat() : 0.;
   }
 
 
 
+  template <int dim>
   void
-  HeatConduction::save(OutputArchive &archive) const
+  HeatConduction<dim>::save(OutputArchive &archive) const
   {
     archive << rise_;
     if (continuation)
@@ -223,11 +255,17 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  HeatConduction::load(InputArchive &archive)
+  HeatConduction<dim>::load(InputArchive &archive)
   {
     archive >> fixed_length(rise_, "temperatures of the chip");
     if (continuation)
       continuation->load(archive);
   }
+
+
+
+  template class HeatConduction<2>;
+  template class HeatConduction<3>;
 } // namespace asperity

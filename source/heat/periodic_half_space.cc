@@ -29,11 +29,11 @@ namespace asperity
 
 
 
-  PeriodicHalfSpace::PeriodicHalfSpace(const ThermalProperties &material,
-                                       const double             period,
-                                       const unsigned int       n_waves)
+  template <int dim>
+  PeriodicHalfSpace<dim>::PeriodicHalfSpace(const ThermalProperties &material,
+                                            const FourierBasis<dim> &basis)
     : material(material)
-    , basis_(period, n_waves)
+    , basis_(basis)
   {
     const double slowest = std::sqrt(smallest_exponent / longest_age),
                  fastest = std::sqrt(largest_exponent / shortest_age);
@@ -53,16 +53,18 @@ namespace asperity
 
 
 
-  const FourierBasis &
-  PeriodicHalfSpace::basis() const
+  template <int dim>
+  const FourierBasis<dim> &
+  PeriodicHalfSpace<dim>::basis() const
   {
     return basis_;
   }
 
 
 
+  template <int dim>
   Vector
-  PeriodicHalfSpace::response(const double dt) const
+  PeriodicHalfSpace<dim>::response(const double dt) const
   {
     Vector S(basis_.size());
     S(0) = 2. * std::sqrt(dt / PI) / material.effusivity();
@@ -77,8 +79,9 @@ namespace asperity
 
 
 
+  template <int dim>
   double
-  PeriodicHalfSpace::wave_rate(const unsigned int m) const
+  PeriodicHalfSpace<dim>::wave_rate(const unsigned int m) const
   {
     const double kappa = basis_.wave_number(m);
     return material.diffusivity() * kappa * kappa;
@@ -86,8 +89,9 @@ namespace asperity
 
 
 
+  template <int dim>
   Vector
-  PeriodicHalfSpace::remembered(const double dt) const
+  PeriodicHalfSpace<dim>::remembered(const double dt) const
   {
     std::vector<double> factors(weights);
     for (unsigned int j = 0; j < factors.size(); ++j)
@@ -105,8 +109,9 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  PeriodicHalfSpace::accept(const Vector &flux, const double dt)
+  PeriodicHalfSpace<dim>::accept(const Vector &flux, const double dt)
   {
     const unsigned int  n = rates.size();
     std::vector<double> change(n);
@@ -128,30 +133,38 @@ namespace asperity
               both * integrals[j] + flux(m) * (rate > 0. ? -both / rate : dt);
           }
       }
-    heat_ += flux(0) * dt * basis_.period();
+    heat_ += flux(0) * dt * basis_.area();
   }
 
 
 
+  template <int dim>
   double
-  PeriodicHalfSpace::heat() const
+  PeriodicHalfSpace<dim>::heat() const
   {
     return heat_;
   }
 
 
 
+  template <int dim>
   void
-  PeriodicHalfSpace::save(OutputArchive &archive) const
+  PeriodicHalfSpace<dim>::save(OutputArchive &archive) const
   {
     archive << past << heat_;
   }
 
 
 
+  template <int dim>
   void
-  PeriodicHalfSpace::load(InputArchive &archive)
+  PeriodicHalfSpace<dim>::load(InputArchive &archive)
   {
     archive >> fixed_length(past, "heat in a half-space") >> heat_;
   }
+
+
+
+  template class PeriodicHalfSpace<2>;
+  template class PeriodicHalfSpace<3>;
 } // namespace asperity

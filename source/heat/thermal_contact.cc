@@ -19,35 +19,31 @@ namespace asperity
     constexpr double tolerance = 1e-8;
 
     /** What the temperature of the tool's surface answers to heat at points. */
+    template <int dim>
     class ToolResponse
     {
     public:
-      ToolResponse(const PeriodicHalfSpace   &tool,
-                   const std::vector<double> &x,
-                   const double               dt)
+      ToolResponse(const PeriodicHalfSpace<dim>              &tool,
+                   const std::vector<dealii::Point<dim - 1>> &places,
+                   const double                               dt)
         : basis(tool.basis())
-        , values(basis.values(x))
+        , values(basis, places)
         , response(tool.response(dt))
       {}
 
       /** The same at some of the points. */
-      ToolResponse(const ToolResponse              &all,
+      ToolResponse(const ToolResponse<dim>         &all,
                    const std::vector<unsigned int> &points)
         : basis(all.basis)
-        , values(points.size(), all.values.n())
+        , values(all.values, points)
         , response(all.response)
-      {
-        for (unsigned int m = 0; m < values.n(); ++m)
-          for (unsigned int i = 0; i < points.size(); ++i)
-            values(i, m) = all.values(points[i], m);
-      }
+      {}
 
-      /** Coefficients of the flux, of heat by point [W/m]. */
+      /** Coefficients of the flux, of heat by point [W/m^(3 - dim)]. */
       Vector
       flux(const Vector &heat) const
       {
-        Vector q(values.n());
-        values.Tvmult(q, heat);
+        Vector q = values.sums(heat);
         for (unsigned int m = 0; m < q.size(); ++m)
           q(m) *= basis.norm(m);
         return q;
@@ -60,15 +56,13 @@ namespace asperity
         Vector theta = flux;
         theta.scale(response);
         theta += coefficients;
-        Vector rise(values.m());
-        values.vmult(rise, theta);
-        return rise;
+        return values.at_points(theta);
       }
 
     private:
-      const FourierBasis              &basis;
-      dealii::LAPACKFullMatrix<double> values;
-      Vector                           response;
+      const FourierBasis<dim> &basis;
+      FourierValues<dim>       values;
+      Vector                   response;
     };
 
     /** The points where heat can go over, and s = sqrt(h W) there. */
@@ -77,7 +71,8 @@ namespace asperity
       std::vector<unsigned int> points;
       Vector                    s;
 
-      Exchange(const InterfaceHeat &interface, const BasisTable<2> &edge)
+      template <int dim>
+      Exchange(const InterfaceHeat<dim> &interface, const BasisTable<dim> &edge)
       {
         for (unsigned int q = 0; q < edge.JxW.size(); ++q)
           if (interface.conductance[q] > 0.)
@@ -153,18 +148,18 @@ namespace asperity
 
 
     /**
-     * Heat by point that goes over from chip to tool, s y [W/m].
+     * Heat by point that goes over from chip to tool, s y [W/m^(3 - dim)].
      * @param respond rise of the chip's coefficients by heat at points
      * @param difference of the temperatures without exchange, at all points
      */
-    template <class Respond>
+    template <int dim, class Respond>
     Vector
-    exchanged_heat(const Exchange      &exchange,
-                   const ToolResponse  &tool,
-                   const BasisTable<2> &edge,
-                   const Respond       &respond,
-                   const Vector        &difference,
-                   unsigned int        &iterations)
+    exchanged_heat(const Exchange          &exchange,
+                   const ToolResponse<dim> &tool,
+                   const BasisTable<dim>   &edge,
+                   const Respond           &respond,
+                   const Vector            &difference,
+                   unsigned int            &iterations)
     {
       const unsigned int n       = difference.size();
       const auto         product = [&](const Vector &y) {
@@ -189,27 +184,28 @@ namespace asperity
 
 
 
-  ThermalContact::ThermalContact(const BasisTable<2>     &edge,
-                                 const ThermalProperties &tool,
-                                 const double             period,
-                                 const unsigned int       n_waves,
-                                 const double             offset)
+  template <int dim>
+  ThermalContact<dim>::ThermalContact(const BasisTable<dim>   &edge,
+                                      const ThermalProperties &tool,
+                                      const FourierBasis<dim> &waves,
+                                      const double             offset)
     : edge(edge)
-    , tool(tool, period, n_waves)
+    , tool(tool, waves)
     , offset(offset)
   {}
 
 
 
-  ThermalContact::Step
-  ThermalContact::solve(const HeatConduction &chip,
-                        const double          dt,
-                        const Vector         &power,
-                        const InterfaceHeat  &interface) const
+  template <int dim>
+  typename ThermalContact<dim>::Step
+  ThermalContact<dim>::solve(const HeatConduction<dim> &chip,
+                             const double               dt,
+                             const Vector              &power,
+                             const InterfaceHeat<dim>  &interface) const
   {
-    const unsigned int n = edge.JxW.size();
-    const ToolResponse tool_response(tool, interface.x, dt);
-    Vector             half_friction(n);
+    const unsigned int      n = edge.JxW.size();
+    const ToolResponse<dim> tool_response(tool, interface.places, dt);
+    Vector                  half_friction(n);
     for (unsigned int q = 0; q < n; ++q)
       half_friction(q) = 0.5 * interface.friction[q] * edge.JxW[q];
 
@@ -237,7 +233,7 @@ namespace asperity
     const Exchange exchange(interface, edge);
     const Vector   heat =
       exchanged_heat(exchange,
-                     ToolResponse(tool_response, exchange.points),
+                     ToolResponse<dim>(tool_response, exchange.points),
                      edge,
                      respond,
                      difference,
@@ -257,33 +253,42 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  ThermalContact::accept(const Step &step)
+  ThermalContact<dim>::accept(const Step &step)
   {
     tool.accept(step.tool_flux, step.dt);
   }
 
 
 
+  template <int dim>
   double
-  ThermalContact::heat_of_tool() const
+  ThermalContact<dim>::heat_of_tool() const
   {
     return tool.heat();
   }
 
 
 
+  template <int dim>
   void
-  ThermalContact::save(OutputArchive &archive) const
+  ThermalContact<dim>::save(OutputArchive &archive) const
   {
     tool.save(archive);
   }
 
 
 
+  template <int dim>
   void
-  ThermalContact::load(InputArchive &archive)
+  ThermalContact<dim>::load(InputArchive &archive)
   {
     tool.load(archive);
   }
+
+
+
+  template class ThermalContact<2>;
+  template class ThermalContact<3>;
 } // namespace asperity

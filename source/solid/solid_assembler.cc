@@ -363,6 +363,15 @@ namespace asperity
 
 
   template <int dim>
+  const ElementGradients<dim> &
+  SolidAssembler<dim>::element_gradients(const unsigned int element) const
+  {
+    return gradients[element];
+  }
+
+
+
+  template <int dim>
   const SplineSpace<dim> &
   SolidAssembler<dim>::space() const
   {

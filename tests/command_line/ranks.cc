@@ -7,7 +7,8 @@
 #include "program.h"
 
 // A scene in three dimensions on several ranks, with contact, shear of the
-// interface and plastic flow. Expected is what one rank finds.
+// interface, plastic flow and conduction of heat. Expected is what one rank
+// finds.
 
 using namespace asperity;
 
@@ -73,6 +74,11 @@ namespace
                       tolerance * std::abs(expected))
             << name;
         }
+      for (const char *name : {"to_tool", "flash_temperature"})
+        {
+          const double expected = b["heat"][name];
+          EXPECT_NEAR(a["heat"][name], expected, tolerance * expected) << name;
+        }
     }
   };
 } // namespace
@@ -85,6 +91,8 @@ TEST_F(RanksOfScene, find_the_friction_of_one_and_go_on_in_another_number)
   const auto one = summary("one");
   EXPECT_GT(one["friction"]["mu"], 0.1);
   EXPECT_GT(one["end"]["max_plastic_strain"], 1e-3);
+  EXPECT_GT(one["heat"]["to_tool"], 0.1);
+  EXPECT_LT(one["heat"]["balance_error"], 1e-9);
   EXPECT_EQ(one["cost"]["linear_solver"], "cholmod");
   compute("two", "mpirun -np 2");
   const auto two = summary("two");

@@ -234,8 +234,6 @@ TEST(Patch, says_what_three_dimensions_do_not_have)
   for (const std::string model : {"Reynolds", "Stokes", "Navier-Stokes"})
     expect_said(refusal(section("Lubrication", "Model = " + model)),
                 "found 3 with the lubricant model `" + model + "`, whose f");
-  expect_said(refusal(section("Heat", "Model = conducting")),
-              "found 3 with heat that is conducted");
   expect_said(refusal(section("Mesh", "Adaptive levels = 1")),
               "found 3 with a mesh that changes");
   expect_said(refusal(section("Accuracy", "Control = adaptive")),

@@ -15,12 +15,11 @@ using namespace asperity;
 
 namespace
 {
-  /** Oil in 70 % of the void at the start.
+  /** Oil in 70 % of the void at the start, heat that stays where it is done.
    *  @param sealing_gap [m] */
   SceneParameters
-  oiled_scene(const double sealing_gap)
+  oiled(SceneParameters parameters, const double sealing_gap)
   {
-    SceneParameters parameters            = narrow_scene();
     parameters.heat.model                 = HeatModel::adiabatic;
     parameters.lubrication.model          = LubricantModel::pocket;
     parameters.lubrication.wetting        = 0.7;
@@ -31,22 +30,16 @@ namespace
     return parameters;
   }
 
-  /** Two waves, over whose hills it slides obliquely. */
+  SceneParameters
+  oiled_scene(const double sealing_gap)
+  {
+    return oiled(narrow_scene(), sealing_gap);
+  }
+
   SceneParameters
   hills(const double sealing_gap)
   {
-    SceneParameters parameters      = oiled_scene(sealing_gap);
-    parameters.mesh.spans           = 8;
-    parameters.mesh.across          = 6;
-    parameters.geometry.width       = 0.75 * parameters.geometry.length;
-    parameters.tool.spans           = std::nullopt;
-    parameters.tool.wave_numbers    = {1., 1.};
-    parameters.tool.across          = {1., -1.};
-    parameters.tool.amplitudes      = {0.15e-6, 0.1e-6};
-    parameters.tool.phases          = {0.3, 0.7};
-    parameters.load.direction       = M_PI / 6.;
-    parameters.protocol.slide_steps = 2;
-    return parameters;
+    return oiled(narrow_hills(), sealing_gap);
   }
 
   std::vector<std::string>
@@ -174,18 +167,11 @@ TEST(PatchOil, carries_with_the_contact_and_keeps_its_mass)
 
 
 
-// Tool, chip and way are turned by 90 degrees: (x, y) becomes (-y, x).
 TEST(PatchOil, turned_by_a_right_angle_has_the_same_forces)
 {
-  SceneParameters parameters = hills(100e-9);
-  parameters.load.direction  = 0.;
-  SceneParameters turned     = parameters;
-  std::swap(turned.geometry.length, *turned.geometry.width);
-  std::swap(turned.mesh.spans, *turned.mesh.across);
-  // k x/L + j y/W = k y'/L - j x'/W
-  turned.tool.across    = {-1., 1.};
-  turned.tool.phases    = {-0.3, 0.7};
-  turned.load.direction = M_PI / 2.;
+  SceneParameters parameters    = hills(100e-9);
+  parameters.load.direction     = 0.;
+  const SceneParameters  turned = turned_by_a_right_angle(parameters);
   const CompleteRunIn<3> along_x(parameters), along_y(turned);
   ASSERT_EQ(along_x.rows().size(), along_y.rows().size());
   const double w = *parameters.geometry.width, l = *turned.geometry.width;

@@ -36,6 +36,38 @@ namespace asperity
     return parameters;
   }
 
+  /** The narrow scene with two waves, over whose hills it slides obliquely. */
+  inline SceneParameters
+  narrow_hills()
+  {
+    SceneParameters parameters      = narrow_scene();
+    parameters.mesh.spans           = 8;
+    parameters.mesh.across          = 6;
+    parameters.geometry.width       = 0.75 * parameters.geometry.length;
+    parameters.tool.spans           = std::nullopt;
+    parameters.tool.wave_numbers    = {1., 1.};
+    parameters.tool.across          = {1., -1.};
+    parameters.tool.amplitudes      = {0.15e-6, 0.1e-6};
+    parameters.tool.phases          = {0.3, 0.7};
+    parameters.load.direction       = M_PI / 6.;
+    parameters.protocol.slide_steps = 2;
+    return parameters;
+  }
+
+  /** Hills with the length and the spans of a narrow scene that slides along x,
+   *  turned by 90 degrees with their way: (x, y) becomes (-y, x). */
+  inline SceneParameters
+  turned_by_a_right_angle(SceneParameters hills)
+  {
+    std::swap(hills.geometry.length, *hills.geometry.width);
+    std::swap(hills.mesh.spans, *hills.mesh.across);
+    // k x/L + j y/W = k y'/L - j x'/W
+    hills.tool.across    = {-1., 1.};
+    hills.tool.phases    = {-0.3, 0.7};
+    hills.load.direction = M_PI / 2.;
+    return hills;
+  }
+
   /** The tool of the scene moved by a distance s in x. */
   inline void
   shift_tool(SceneParameters &parameters, const double s)

@@ -253,6 +253,8 @@ TEST(SceneHeat, automatic_conducts_where_the_interface_shears)
   EXPECT_EQ(parameters.heat_model(), HeatModel::adiabatic);
   parameters.interface.law = InterfaceShear::shear_factor;
   EXPECT_EQ(parameters.heat_model(), HeatModel::conducting);
+  parameters.geometry.dimension = 3;
+  EXPECT_EQ(parameters.heat_model(), HeatModel::conducting);
   parameters.material.heating.adiabatic = false;
   EXPECT_EQ(parameters.heat_model(), HeatModel::isothermal);
 }

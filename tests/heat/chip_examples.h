@@ -18,17 +18,32 @@ namespace heat_example
   using dealii::Point;
   using Vector = dealii::Vector<double>;
 
-  /** A block, periodic in x, with n spans along x and rows as given. */
-  struct Block
+  /** The waves of one direction, or the same ones in two of the same period. */
+  template <int dim = 2>
+  FourierBasis<dim>
+  waves(const double period, const unsigned int n)
   {
-    Block(const unsigned int         degree,
-          const double               length,
-          const unsigned int         n,
-          const std::vector<double> &rows)
+    typename FourierBasis<dim>::template Directions<double>       periods;
+    typename FourierBasis<dim>::template Directions<unsigned int> numbers;
+    periods.fill(period);
+    numbers.fill(n);
+    return FourierBasis<dim>(periods, numbers);
+  }
+
+  /** A block, periodic along its top, with n spans along each direction of it
+   *  and rows as given. */
+  template <int dim>
+  struct BlockIn
+  {
+    using Function = std::function<double(const Point<dim> &)>;
+
+    BlockIn(const unsigned int         degree,
+            const double               length,
+            const unsigned int         n,
+            const std::vector<double> &rows)
       : length(length)
-      , space(KnotVector(degree, columns(length, n), true),
-              KnotVector(degree, rows))
-      , cells(tabulate_cells(space, {}, dealii::QGauss<2>(degree + 1)))
+      , space(knots(degree, length, n, rows))
+      , cells(tabulate_cells(space, {}, dealii::QGauss<dim>(degree + 1)))
       , top(edge(Edge::top))
       , bottom(edge(Edge::bottom))
     {}
@@ -42,42 +57,56 @@ namespace heat_example
       return x;
     }
 
-    BasisTable<2>
+    static SplineSpace<dim>
+    knots(const unsigned int         degree,
+          const double               length,
+          const unsigned int         n,
+          const std::vector<double> &rows)
+    {
+      const KnotVector along(degree, columns(length, n), true),
+        upwards(degree, rows);
+      if constexpr (dim == 2)
+        return SplineSpace<2>(along, upwards);
+      else
+        return SplineSpace<3>(along, along, upwards);
+    }
+
+    BasisTable<dim>
     edge(const Edge edge) const
     {
       return tabulate_edge(
-        space, {}, edge, dealii::QGauss<1>(space.degree() + 2), true);
+        space, {}, edge, dealii::QGauss<dim - 1>(space.degree() + 2), true);
     }
 
-    HeatConduction
+    HeatConduction<dim>
     conduction(const ThermalProperties &material) const
     {
-      return HeatConduction(cells, space.n_functions(), material);
+      return HeatConduction<dim>(cells, space, material);
     }
 
     /** A displacement at rest. */
     Vector
     at_rest() const
     {
-      return Vector(2 * space.n_functions());
+      return Vector(dim * space.n_functions());
     }
 
     /** The projection of a displacement. */
     Vector
     displacement(
-      const std::function<std::vector<double>(const Point<2> &)> &f) const
+      const std::function<std::vector<double>(const Point<dim> &)> &f) const
     {
-      const auto coefficients = space.project(f, 2);
+      const auto coefficients = space.project(f, dim);
       Vector     u            = at_rest();
       for (unsigned int a = 0; a < space.n_functions(); ++a)
-        for (unsigned int c = 0; c < 2; ++c)
-          u(displacement_dof<2>(a, c)) = coefficients[c][a];
+        for (unsigned int c = 0; c < dim; ++c)
+          u(displacement_dof<dim>(a, c)) = coefficients[c][a];
       return u;
     }
 
     /** Values of a function at the points of the cells. */
     Vector
-    at_points(const std::function<double(const Point<2> &)> &f) const
+    at_points(const Function &f) const
     {
       Vector values(cells.position.size());
       for (unsigned int q = 0; q < values.size(); ++q)
@@ -87,9 +116,7 @@ namespace heat_example
 
     /** power_a += int N_a f dS along an edge. */
     static void
-    add_flux(const BasisTable<2>                           &edge,
-             const std::function<double(const Point<2> &)> &f,
-             Vector                                        &power)
+    add_flux(const BasisTable<dim> &edge, const Function &f, Vector &power)
     {
       Vector heat(edge.JxW.size());
       for (unsigned int q = 0; q < heat.size(); ++q)
@@ -97,10 +124,12 @@ namespace heat_example
       add_point_values(edge, heat, power);
     }
 
-    double         length;
-    SplineSpace<2> space;
-    BasisTable<2>  cells, top, bottom;
+    double           length;
+    SplineSpace<dim> space;
+    BasisTable<dim>  cells, top, bottom;
   };
+
+  using Block = BlockIn<2>;
 
   /** Levels from 0 to `height`, finest at the top, where a row is `top` high;
    *  each is higher than the one above it by `grading`. */

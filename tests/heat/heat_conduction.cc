@@ -19,38 +19,46 @@ namespace
   const ThermalProperties material{3., 2., 5.};
 
   /**
-   * Of T = t phi with phi = cos(pi x) exp(y) in the current position x, on a
-   * block that is sheared and stretched, x = X + 0.4 Y and
-   * y = 0.7 Y + 0.2 Y^2, whose splines have it exactly from degree 2 on.
-   * Backward Euler has no error, so that of the space is left: its L2 norm
-   * after one step of length one.
+   * Of T = t phi with phi = cos(pi x) exp(z), or cos(pi x) cos(pi y) exp(z) in
+   * three dimensions, in the current position, on a block that is sheared and
+   * stretched, x = X + 0.4 Z and z = 0.7 Z + 0.2 Z^2, whose splines have it
+   * exactly from degree 2 on. Backward Euler has no error, so that of the space
+   * is left: its L2 norm after one step of length one.
    */
+  template <int dim>
   double
   error_on_a_deformed_block(const unsigned int degree, const unsigned int n)
   {
-    const Block block(degree, 2., 2 * n, Block::columns(1., n));
-    const auto  stretch = [](const double Y) { return 0.7 + 0.4 * Y; };
-    const auto  phi     = [](const Point<2> &X) {
-      const double x = X[0] + 0.4 * X[1], y = 0.7 * X[1] + 0.2 * X[1] * X[1];
-      return std::cos(M_PI * x) * std::exp(y);
+    const BlockIn<dim> block(degree, 2., 2 * n, BlockIn<dim>::columns(1., n));
+    const unsigned int up      = dim - 1;
+    const auto         stretch = [up](const Point<dim> &X) {
+      return 0.7 + 0.4 * X[up];
     };
-    const Vector   u    = block.displacement([&](const Point<2> &X) {
-      return std::vector<double>{0.4 * X[1], -0.3 * X[1] + 0.2 * X[1] * X[1]};
+    const auto phi = [up](const Point<dim> &X) {
+      const double Z = X[up], x = X[0] + 0.4 * Z, z = 0.7 * Z + 0.2 * Z * Z;
+      return std::cos(M_PI * x) * (dim == 3 ? std::cos(M_PI * X[1]) : 1.) *
+             std::exp(z);
+    };
+    const Vector        u    = block.displacement([up](const Point<dim> &X) {
+      std::vector<double> moved(dim, 0.);
+      moved[0]  = 0.4 * X[up];
+      moved[up] = -0.3 * X[up] + 0.2 * X[up] * X[up];
+      return moved;
     });
-    HeatConduction body = block.conduction(material);
+    HeatConduction<dim> body = block.conduction(material);
     body.begin_step(u, 1.);
     // s = rho0 c phi - J lambda t Laplace(phi), per reference volume.
     Vector power(block.space.n_functions());
-    body.add_source(block.at_points([&](const Point<2> &X) {
-      return phi(X) * (10. - stretch(X[1]) * 3. * (1. - M_PI * M_PI));
+    body.add_source(block.at_points([&](const Point<dim> &X) {
+      return phi(X) * (10. - stretch(X) * 3. * (1. - up * M_PI * M_PI));
     }),
                     power);
-    // The edges keep their length: lambda dphi/dy goes in at the top, and the
+    // The edges keep their length: lambda dphi/dz goes in at the top, and the
     // same out at the bottom.
-    Block::add_flux(
-      block.top, [&](const Point<2> &X) { return 3. * phi(X); }, power);
-    Block::add_flux(
-      block.bottom, [&](const Point<2> &X) { return -3. * phi(X); }, power);
+    block.add_flux(
+      block.top, [&](const Point<dim> &X) { return 3. * phi(X); }, power);
+    block.add_flux(
+      block.bottom, [&](const Point<dim> &X) { return -3. * phi(X); }, power);
     body.accept(body.change(power));
     const Vector rise = body.rise_at_points();
     double       sum  = 0.;
@@ -59,19 +67,31 @@ namespace
              std::pow(rise[q] - phi(block.cells.position[q]), 2);
     return std::sqrt(sum);
   }
+
+  template <int dim>
+  void
+  expect_order(const unsigned int degree, const unsigned int n)
+  {
+    const double coarse = error_on_a_deformed_block<dim>(degree, n),
+                 fine   = error_on_a_deformed_block<dim>(degree, 2 * n);
+    EXPECT_GT(std::log2(coarse / fine), degree + 0.9) << coarse;
+    EXPECT_LT(fine, n > 4 ? 2e-3 : 1e-2);
+  }
 } // namespace
 
 
 
 TEST(HeatConduction, converges_in_space_on_a_deformed_body)
 {
-  for (const unsigned int degree : {2u, 3u})
-    {
-      const double coarse = error_on_a_deformed_block(degree, 6),
-                   fine   = error_on_a_deformed_block(degree, 12);
-      EXPECT_GT(std::log2(coarse / fine), degree + 0.9) << coarse;
-      EXPECT_LT(fine, 2e-3);
-    }
+  expect_order<2>(2, 6);
+  expect_order<2>(3, 6);
+}
+
+
+
+TEST(HeatConduction, converges_in_space_in_three_dimensions)
+{
+  expect_order<3>(2, 3);
 }
 
 
@@ -82,8 +102,8 @@ TEST(HeatConduction, converges_in_time)
   // lambda pi^2 T.
   const Block block(3, 2., 16, {0., 1.});
   const auto  error = [&](const unsigned int n_steps) {
-    HeatConduction body = block.conduction(material);
-    const double   dt   = 1. / n_steps;
+    HeatConduction<2> body = block.conduction(material);
+    const double      dt   = 1. / n_steps;
     for (unsigned int i = 1; i <= n_steps; ++i)
       {
         body.begin_step(block.at_rest(), dt);
@@ -115,26 +135,30 @@ TEST(HeatConduction, converges_in_time)
 
 namespace
 {
-  /** Mean rise of the top, and amplitude of its first cosine, after `duration`
-   *  under the flux 1 + cos(2 pi x/L) with L = 1, on a block that a half-space
+  /** Mean rise of the top, and amplitude of the wave in it, after `duration`
+   *  under a flux of 1 and the wave cos(2 pi x/L), in three dimensions
+   *  cos(2 pi x/L) cos(2 pi y/L), with L = 1, on a block that a half-space
    *  continues. */
+  template <int dim>
   std::pair<double, double>
-  warm_from_above(const double       height,
-                  const double       duration,
-                  const unsigned int n_steps)
+  warm_from_above(const unsigned int         n_spans,
+                  const std::vector<double> &rows,
+                  const double               duration,
+                  const unsigned int         n_steps)
   {
-    const Block    block(2, 1., 16, rows(height, 0.02, 1.3));
-    HeatConduction body = block.conduction(material);
-    body.continue_beyond(block.bottom, 1., 4);
-    const auto wave = [](const Point<2> &X) {
-      return std::cos(2. * M_PI * X[0]);
+    const BlockIn<dim>  block(2, 1., n_spans, rows);
+    HeatConduction<dim> body = block.conduction(material);
+    body.continue_beyond(block.bottom, waves<dim>(1., n_spans / 4));
+    const auto wave = [](const Point<dim> &X) {
+      return std::cos(2. * M_PI * X[0]) *
+             (dim == 3 ? std::cos(2. * M_PI * X[1]) : 1.);
     };
     for (unsigned int i = 0; i < n_steps; ++i)
       {
         body.begin_step(block.at_rest(), duration / n_steps);
         Vector power(block.space.n_functions());
-        Block::add_flux(
-          block.top, [&](const Point<2> &X) { return 1. + wave(X); }, power);
+        block.add_flux(
+          block.top, [&](const Point<dim> &X) { return 1. + wave(X); }, power);
         body.accept(body.change(power));
       }
     const Vector top  = values_at_points(block.top, body.rise());
@@ -142,8 +166,8 @@ namespace
     for (unsigned int q = 0; q < top.size(); ++q)
       {
         mean += block.top.JxW[q] * top[q];
-        amplitude +=
-          2. * block.top.JxW[q] * top[q] * wave(block.top.position[q]);
+        amplitude += (dim == 3 ? 4. : 2.) * block.top.JxW[q] * top[q] *
+                     wave(block.top.position[q]);
       }
     EXPECT_NEAR(body.stored() + body.passed_on(), duration, 1e-10 * duration);
     return {mean, amplitude};
@@ -163,10 +187,24 @@ TEST(HeatConduction, goes_on_into_the_depth_as_if_there_were_no_edge)
   for (const double height : {0.1, 0.5, 2.})
     {
       const auto [found_mean, found_amplitude] =
-        warm_from_above(height, duration, 200);
+        warm_from_above<2>(16, rows(height, 0.02, 1.3), duration, 200);
       EXPECT_NEAR(found_mean, mean, 0.01 * mean) << height;
       EXPECT_NEAR(found_amplitude, amplitude, 0.002 * amplitude) << height;
     }
+}
+
+
+
+TEST(HeatConduction, goes_on_into_the_depth_below_a_face)
+{
+  // As above, with kappa = 2 pi sqrt(2).
+  const double duration  = 20.;
+  const double mean      = 2. * std::sqrt(duration / (M_PI * 30.)),
+               amplitude = 1. / (3. * 2. * M_PI * std::sqrt(2.));
+  const auto [found_mean, found_amplitude] =
+    warm_from_above<3>(8, rows(0.1, 0.03, 1.3), duration, 60);
+  EXPECT_NEAR(found_mean, mean, 0.01 * mean);
+  EXPECT_NEAR(found_amplitude, amplitude, 0.01 * amplitude);
 }
 
 
@@ -177,11 +215,11 @@ TEST(HeatConduction, conserves_heat_to_round_off)
   block.space.refine_to_level(1, [](const auto &, const auto &high) {
     return high[1] > 0.9;
   });
-  block.cells         = tabulate_cells(block.space, {}, dealii::QGauss<2>(2));
-  block.top           = block.edge(Edge::top);
-  block.bottom        = block.edge(Edge::bottom);
-  HeatConduction body = block.conduction(material);
-  body.continue_beyond(block.bottom, 2., 3);
+  block.cells  = tabulate_cells(block.space, {}, dealii::QGauss<2>(2));
+  block.top    = block.edge(Edge::top);
+  block.bottom = block.edge(Edge::bottom);
+  HeatConduction<2> body = block.conduction(material);
+  body.continue_beyond(block.bottom, waves(2., 3));
   double put_in = 0.;
   for (unsigned int i = 0; i < 20; ++i)
     {
@@ -209,9 +247,9 @@ TEST(HeatConduction, conserves_heat_to_round_off)
 
 TEST(HeatConduction, keeps_heat_where_it_is_done_without_conductivity)
 {
-  const Block    block(2, 2., 8, rows(1., 0.1, 1.4));
-  HeatConduction body   = block.conduction({1e-12, 2., 5.});
-  const auto     source = block.at_points(
+  const Block       block(2, 2., 8, rows(1., 0.1, 1.4));
+  HeatConduction<2> body   = block.conduction({1e-12, 2., 5.});
+  const auto        source = block.at_points(
     [](const Point<2> &X) { return 3. + 2. * X[1] - X[1] * X[1]; });
   for (unsigned int i = 0; i < 3; ++i)
     {
@@ -230,20 +268,20 @@ TEST(HeatConduction, keeps_heat_where_it_is_done_without_conductivity)
 TEST(HeatConduction, goes_on_from_an_archive_and_refuses_another_body)
 {
   const Block block(2, 2., 8, rows(1., 0.1, 1.4));
-  const auto  step = [&](HeatConduction &body) {
+  const auto  step = [&](HeatConduction<2> &body) {
     body.begin_step(block.at_rest(), 0.1);
     Vector power(block.space.n_functions());
     Block::add_flux(
       block.top, [](const Point<2> &X) { return X[0]; }, power);
     body.accept(body.change(power));
   };
-  HeatConduction body = block.conduction(material);
-  body.continue_beyond(block.bottom, 2., 2);
+  HeatConduction<2> body = block.conduction(material);
+  body.continue_beyond(block.bottom, waves(2., 2));
   step(body);
   const std::string bytes =
     to_bytes([&](OutputArchive &archive) { body.save(archive); });
-  HeatConduction copy = block.conduction(material);
-  copy.continue_beyond(block.bottom, 2., 2);
+  HeatConduction<2> copy = block.conduction(material);
+  copy.continue_beyond(block.bottom, waves(2., 2));
   from_bytes(bytes, "The chip", [&](InputArchive &archive) {
     copy.load(archive);
   });
@@ -252,8 +290,8 @@ TEST(HeatConduction, goes_on_from_an_archive_and_refuses_another_body)
   EXPECT_EQ(copy.rise(), body.rise());
   EXPECT_EQ(copy.passed_on(), body.passed_on());
 
-  const Block    smaller(2, 2., 7, rows(1., 0.1, 1.4));
-  HeatConduction other = smaller.conduction(material);
+  const Block       smaller(2, 2., 7, rows(1., 0.1, 1.4));
+  HeatConduction<2> other = smaller.conduction(material);
   try
     {
       from_bytes(bytes, "The chip", [&](InputArchive &archive) {

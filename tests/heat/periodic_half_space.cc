@@ -21,9 +21,16 @@ namespace
 
   const ThermalProperties carbide{88., 15250., 292.};
 
+  FourierBasis<2>
+  along_x(const double period, const unsigned int n_waves)
+  {
+    return FourierBasis<2>({{period}}, {{n_waves}});
+  }
+
   /** Rise at the end of a step with this flux. */
+  template <int dim>
   Vector
-  rise(const PeriodicHalfSpace &body, const Vector &flux, const double dt)
+  rise(const PeriodicHalfSpace<dim> &body, const Vector &flux, const double dt)
   {
     Vector result = body.remembered(dt);
     Vector now    = body.response(dt);
@@ -37,8 +44,8 @@ namespace
 
 TEST(PeriodicHalfSpace, warms_as_the_square_root_of_time_under_a_constant_flux)
 {
-  PeriodicHalfSpace body(carbide, 10e-6, 0);
-  Vector            flux(1);
+  PeriodicHalfSpace<2> body(carbide, along_x(10e-6, 0));
+  Vector               flux(1);
   flux(0)     = 3e9;
   double time = 0.;
   // Steps of very unlike lengths, as halvings make them.
@@ -58,10 +65,10 @@ TEST(PeriodicHalfSpace, warms_as_the_square_root_of_time_under_a_constant_flux)
 
 TEST(PeriodicHalfSpace, tends_to_the_steady_temperature_of_each_wave)
 {
-  const double      L = 10e-6;
-  PeriodicHalfSpace body(carbide, L, 8);
-  const double      a = carbide.diffusivity();
-  Vector            flux(17);
+  const double         L = 10e-6;
+  PeriodicHalfSpace<2> body(carbide, along_x(L, 8));
+  const double         a = carbide.diffusivity();
+  Vector               flux(17);
   flux        = 2e9;
   double time = 0.;
   for (unsigned int i = 0; i < 60; ++i)
@@ -87,10 +94,10 @@ TEST(PeriodicHalfSpace, tends_to_the_steady_temperature_of_each_wave)
 TEST(PeriodicHalfSpace, sums_the_steps_of_a_changing_flux)
 {
   // Each step of the flux adds q (S(age at its start) - S(age at its end)).
-  const double        L = 1., times[] = {1e-6, 1e-2, 1e-9, 3e-3, 1e-4, 0.5};
-  const double        fluxes[] = {5., -2., 7., 0., 1., 0.3};
-  PeriodicHalfSpace   body({2., 3., 5.}, L, 2);
-  std::vector<double> ends = {0.};
+  const double         L = 1., times[] = {1e-6, 1e-2, 1e-9, 3e-3, 1e-4, 0.5};
+  const double         fluxes[] = {5., -2., 7., 0., 1., 0.3};
+  PeriodicHalfSpace<2> body({2., 3., 5.}, along_x(L, 2));
+  std::vector<double>  ends = {0.};
   for (unsigned int i = 0; i < 6; ++i)
     {
       ends.push_back(ends.back() + times[i]);
@@ -174,11 +181,11 @@ namespace
                        const double       period,
                        const unsigned int n_waves)
   {
-    const double        a = 1. / (2. * peclet);
-    PeriodicHalfSpace   body({1., 1., 1. / a}, period, n_waves);
-    std::vector<double> steps  = steps_towards_the_end(way, a);
-    double              centre = 0.;
-    Vector              theta;
+    const double         a = 1. / (2. * peclet);
+    PeriodicHalfSpace<2> body({1., 1., 1. / a}, along_x(period, n_waves));
+    std::vector<double>  steps  = steps_towards_the_end(way, a);
+    double               centre = 0.;
+    Vector               theta;
     for (const double dt : steps)
       {
         // During a step the band stands where it is in the middle of it.
@@ -199,13 +206,11 @@ namespace
     double largest = 0., error = 0.;
     for (const double x : {-3., -1.5, -0.95, -0.6, 0., 0.5, 0.9})
       {
-        const auto f     = body.basis().values({centre + x});
-        double     value = 0.;
-        for (unsigned int m = 0; m < theta.size(); ++m)
-          value += f(0, m) * theta(m);
-        const double exact = moving_band(x, peclet);
-        largest            = std::max(largest, exact);
-        error              = std::max(error, std::abs(value - exact));
+        const FourierValues<2> f(body.basis(), {dealii::Point<1>(centre + x)});
+        const double           value = f.at_points(theta)(0);
+        const double           exact = moving_band(x, peclet);
+        largest                      = std::max(largest, exact);
+        error                        = std::max(error, std::abs(value - exact));
       }
     return error / largest;
   }
@@ -227,10 +232,60 @@ TEST(PeriodicHalfSpace, warms_under_a_moving_band_as_jaeger_has_it)
 
 
 
+// A flux q cos(kappa_x x) cos(kappa_y y) that is switched on and off again:
+// q (S(t) - S(t - t_off)) with kappa^2 = kappa_x^2 + kappa_y^2.
+TEST(PeriodicHalfSpace, warms_under_a_wave_along_two_directions)
+{
+  const double         L = 10e-6, W = 4e-6, q = 2e9;
+  PeriodicHalfSpace<3> body(carbide, FourierBasis<3>({{L, W}}, {{3, 2}}));
+  EXPECT_EQ(body.basis().size(), 35u);
+  const auto wave = [&](const dealii::Point<2> &at) {
+    return std::cos(6. * M_PI * at[0] / L) * std::cos(2. * M_PI * at[1] / W);
+  };
+  // The rectangle rule is exact for these waves.
+  std::vector<dealii::Point<2>> places;
+  for (unsigned int j = 0; j < 8; ++j)
+    for (unsigned int i = 0; i < 8; ++i)
+      places.emplace_back(L * i / 8., W * j / 8.);
+  const FourierValues<3> f(body.basis(), places);
+  Vector                 heat(places.size());
+  for (unsigned int p = 0; p < heat.size(); ++p)
+    heat(p) = q * wave(places[p]) * L * W / heat.size();
+  Vector flux = f.sums(heat);
+  for (unsigned int m = 0; m < flux.size(); ++m)
+    flux(m) *= body.basis().norm(m);
+
+  const double a     = carbide.diffusivity(),
+               kappa = 2. * M_PI * std::hypot(3. / L, 1. / W);
+  const auto S       = [&](const double t) {
+    return std::erf(kappa * std::sqrt(a * std::max(t, 0.))) /
+           (carbide.conductivity * kappa);
+  };
+  double time = 0., off = 0.;
+  for (unsigned int i = 0; i < 40; ++i)
+    {
+      const double dt = 1e-12 * std::pow(1.5, i % 20);
+      if (i == 20)
+        {
+          off  = time;
+          flux = 0.;
+        }
+      const Vector now = f.at_points(rise(body, flux, dt));
+      time += dt;
+      const double exact = q * (S(time) - (i < 20 ? 0. : S(time - off)));
+      for (unsigned int p = 0; p < now.size(); ++p)
+        EXPECT_NEAR(now(p), exact * wave(places[p]), 1e-8 * q * S(time));
+      body.accept(flux, dt);
+      EXPECT_NEAR(body.heat(), 0., 1e-12 * q * time * L * W);
+    }
+}
+
+
+
 TEST(PeriodicHalfSpace, goes_on_from_an_archive_bit_for_bit)
 {
-  PeriodicHalfSpace body(carbide, 10e-6, 3), copy = body;
-  Vector            flux(7);
+  PeriodicHalfSpace<2> body(carbide, along_x(10e-6, 3)), copy = body;
+  Vector               flux(7);
   flux = 1e9;
   body.accept(flux, 1e-9);
   body.accept(flux, 3e-9);
@@ -242,7 +297,7 @@ TEST(PeriodicHalfSpace, goes_on_from_an_archive_bit_for_bit)
   EXPECT_EQ(copy.remembered(2e-9), body.remembered(2e-9));
   EXPECT_EQ(copy.heat(), body.heat());
 
-  PeriodicHalfSpace other(carbide, 10e-6, 4);
+  PeriodicHalfSpace<2> other(carbide, along_x(10e-6, 4));
   EXPECT_THROW(from_bytes(bytes,
                           "The tool",
                           [&](InputArchive &archive) { other.load(archive); }),

@@ -23,33 +23,36 @@ namespace
   constexpr double L = 10e-6;
 
   /** Steel of 1 um below carbide. */
-  struct Pair
+  template <int dim>
+  struct PairIn
   {
-    explicit Pair(const double offset)
-      : block(2, L, 16, rows(1e-6, 0.02e-6, 1.3))
+    explicit PairIn(const double offset, const unsigned int n_spans = 16)
+      : block(2, L, n_spans, rows(1e-6, 0.32e-6 / n_spans, 1.3))
       , chip(block.conduction(steel))
-      , contact(block.top, carbide, L, 16, offset)
+      , contact(block.top, carbide, waves<dim>(L, n_spans), offset)
     {
-      chip.continue_beyond(block.bottom, L, 4);
+      chip.continue_beyond(block.bottom, waves<dim>(L, n_spans / 4));
     }
 
     /** The same heat at all points, which slide over the tool with the place of
-     *  the chip, x. */
-    InterfaceHeat
+     *  the chip along each axis. */
+    InterfaceHeat<dim>
     interface(const double conductance,
               const double friction,
               const double place) const
     {
-      InterfaceHeat heat;
-      for (const auto &X : block.top.position)
-        heat.x.push_back(X[0] + place);
-      heat.conductance.assign(heat.x.size(), conductance);
-      heat.friction.assign(heat.x.size(), friction);
+      InterfaceHeat<dim> heat;
+      heat.places = places_along(block.top.position);
+      for (auto &at : heat.places)
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          at[d] += place;
+      heat.conductance.assign(heat.places.size(), conductance);
+      heat.friction.assign(heat.places.size(), friction);
       return heat;
     }
 
-    ThermalContact::Step
-    step(const double dt, const InterfaceHeat &heat)
+    typename ThermalContact<dim>::Step
+    step(const double dt, const InterfaceHeat<dim> &heat)
     {
       chip.begin_step(block.at_rest(), dt);
       const auto step =
@@ -65,10 +68,12 @@ namespace
       return chip.stored() + chip.passed_on();
     }
 
-    Block          block;
-    HeatConduction chip;
-    ThermalContact contact;
+    BlockIn<dim>        block;
+    HeatConduction<dim> chip;
+    ThermalContact<dim> contact;
   };
+
+  using Pair = PairIn<2>;
 } // namespace
 
 
@@ -105,7 +110,7 @@ TEST(ThermalContact, shares_frictional_heat_by_effusivity)
 {
   Pair         pair(0.);
   const double q = 3e9, e1 = steel.effusivity(), e2 = carbide.effusivity();
-  ThermalContact::Step step;
+  ThermalContact<2>::Step step;
   for (unsigned int i = 0; i < 100; ++i)
     step = pair.step(2e-9, pair.interface(1e12, q, 3e-9 * i));
   const double rise = 2. * q * std::sqrt(2e-7 / M_PI) / (e1 + e2);
@@ -131,8 +136,8 @@ TEST(ThermalContact, evens_temperatures_out_as_its_conductance_lets_it)
                a = 1. / e1 - 1. / e2, b = 1. / e1 + 1. / e2, t = 2e-7;
   for (const double h : {0., 1., 1e4, 1e7, 1e8, 1e12})
     {
-      Pair                 pair(0.);
-      ThermalContact::Step step;
+      Pair                    pair(0.);
+      ThermalContact<2>::Step step;
       for (unsigned int i = 0; i < 200; ++i)
         step = pair.step(t / 200, pair.interface(h, q, 3e-9 * i));
       const double z = h * b * std::sqrt(t);
@@ -157,34 +162,48 @@ TEST(ThermalContact, evens_temperatures_out_as_its_conductance_lets_it)
 
 
 
+namespace
+{
+  /** Spots with and without contact, heat at some of them: at each point the
+   *  heat is what its two temperatures say, and nothing is lost. */
+  template <int dim>
+  void
+  expect_balance_at_spots(PairIn<dim> pair, const unsigned int n_steps)
+  {
+    double put_in = 0.;
+    for (unsigned int i = 0; i < n_steps; ++i)
+      {
+        InterfaceHeat<dim> heat = pair.interface(0., 0., 40e-9 * i);
+        for (unsigned int q = 0; q < heat.places.size(); ++q)
+          {
+            double wave = std::sin(6. * M_PI * heat.places[q][0] / L);
+            if (dim == 3)
+              wave *= std::cos(2. * M_PI * heat.places[q][dim - 2] / L);
+            heat.conductance[q] = wave > 0.3 ? 1e9 : (wave > -0.5 ? 1e6 : 0.);
+            heat.friction[q]    = wave > 0.3 ? 1e10 * wave : 0.;
+            put_in += 1e-9 * pair.block.top.JxW[q] * heat.friction[q];
+          }
+        const auto   step  = pair.step(1e-9, heat);
+        const double scale = 1e10;
+        for (unsigned int q = 0; q < heat.places.size(); ++q)
+          EXPECT_NEAR(step.to_tool[q],
+                      0.5 * heat.friction[q] +
+                        heat.conductance[q] * (step.chip[q] - step.tool[q]),
+                      1e-7 * scale);
+        EXPECT_LT(step.iterations, 60u);
+      }
+    EXPECT_NEAR(pair.contact.heat_of_tool() + pair.heat_of_chip(),
+                put_in,
+                1e-11 * put_in);
+  }
+} // namespace
+
+
+
 TEST(ThermalContact, balances_temperatures_at_each_spot)
 {
-  // Spots with and without contact, heat at some of them: at each point the
-  // heat is what its two temperatures say, and nothing is lost.
-  Pair   pair(-40.);
-  double put_in = 0.;
-  for (unsigned int i = 0; i < 20; ++i)
-    {
-      InterfaceHeat heat = pair.interface(0., 0., 40e-9 * i);
-      for (unsigned int q = 0; q < heat.x.size(); ++q)
-        {
-          const double wave   = std::sin(6. * M_PI * heat.x[q] / L);
-          heat.conductance[q] = wave > 0.3 ? 1e9 : (wave > -0.5 ? 1e6 : 0.);
-          heat.friction[q]    = wave > 0.3 ? 1e10 * wave : 0.;
-          put_in += 1e-9 * pair.block.top.JxW[q] * heat.friction[q];
-        }
-      const auto   step  = pair.step(1e-9, heat);
-      const double scale = 1e10;
-      for (unsigned int q = 0; q < heat.x.size(); ++q)
-        EXPECT_NEAR(step.to_tool[q],
-                    0.5 * heat.friction[q] +
-                      heat.conductance[q] * (step.chip[q] - step.tool[q]),
-                    1e-7 * scale);
-      EXPECT_LT(step.iterations, 60u);
-    }
-  EXPECT_NEAR(pair.contact.heat_of_tool() + pair.heat_of_chip(),
-              put_in,
-              1e-11 * put_in);
+  expect_balance_at_spots(PairIn<2>(-40.), 20);
+  expect_balance_at_spots(PairIn<3>(-40., 8), 3);
 }
 
 
@@ -197,7 +216,7 @@ TEST(ThermalContact, goes_on_from_an_archive_and_refuses_another_tool)
     pair.chip.save(archive);
     pair.contact.save(archive);
   });
-  const auto        load  = [&](HeatConduction &chip, ThermalContact &contact) {
+  const auto load = [&](HeatConduction<2> &chip, ThermalContact<2> &contact) {
     from_bytes(bytes, "The heat", [&](InputArchive &archive) {
       chip.load(archive);
       contact.load(archive);
@@ -209,6 +228,6 @@ TEST(ThermalContact, goes_on_from_an_archive_and_refuses_another_tool)
   EXPECT_EQ(again.chip, after.chip);
   EXPECT_EQ(again.to_tool, after.to_tool);
 
-  ThermalContact other(pair.block.top, carbide, L, 8, 10.);
+  ThermalContact<2> other(pair.block.top, carbide, waves(L, 8), 10.);
   EXPECT_THROW(load(copy.chip, other), InputError);
 }

@@ -19,6 +19,7 @@
 
 namespace asperity
 {
+  template <int dim>
   class SceneHeat;
 
   /** The surfaces of a scene: profiles, or sheets in three dimensions. */
@@ -33,9 +34,9 @@ namespace asperity
    * x and y that the load says. A profile is extruded along the
    * direction across, and everything counts per metre of it.
    *
-   * In three dimensions there is no oil and no conduction of heat, and several
-   * ranks may share the cells of a chip: everything is on each of them, but the
-   * integrals over cells and over the contact face, and the tangent.
+   * In three dimensions there is no oil that flows, and several ranks may share
+   * the cells of a chip: everything is on each of them, but the integrals over
+   * cells and over the contact face, and the tangent.
    */
   template <int dim>
   class Scene
@@ -160,9 +161,9 @@ namespace asperity
     std::unique_ptr<ContactAssembler<dim>> contact;
     std::unique_ptr<SurfaceLayer<dim>>     surface_layer; ///< of the chip
     std::unique_ptr<Lubricant>             lubricant;     ///< null: dry
-    GapFlow *gap_flow = nullptr;       ///< the lubricant, if it is one
-    std::unique_ptr<SceneHeat>   heat; ///< null: no heat is conducted
-    std::unique_ptr<Equilibrium> equilibrium;
+    GapFlow *gap_flow = nullptr;          ///< the lubricant, if it is one
+    std::unique_ptr<SceneHeat<dim>> heat; ///< null: no heat is conducted
+    std::unique_ptr<Equilibrium>    equilibrium;
 
   private:
     /** Way along the motion through a rectangle of these edges along x and y

@@ -7,6 +7,7 @@
 #include <asperity/heat/thermal_contact.h>
 #include <asperity/solid/solid_assembler.h>
 
+#include <array>
 #include <vector>
 
 namespace asperity
@@ -14,7 +15,8 @@ namespace asperity
   class InputArchive;
   class OutputArchive;
 
-  /** Heat of a scene, over a period and per thickness [J/m]. */
+  /** Heat of a scene, over a period and in two dimensions per thickness
+   *  [J/m^(3 - dim)]. */
   struct HeatAmounts
   {
     double plastic  = 0.; ///< of the plastic work
@@ -44,27 +46,37 @@ namespace asperity
    * its bottom. Where the bodies touch, heat goes over by the contact
    * conductance h; where oil fills a gap g, by 1/(1/h + g/lambda_oil); over a
    * dry gap none.
+   *
+   * On several ranks the chip is integrated by all, each its own cells; the
+   * linear systems are solved by each of them, which costs little beside those
+   * of the displacements.
    */
+  template <int dim>
   class SceneHeat
   {
   public:
     using Vector = dealii::Vector<double>;
 
-    /** The references must outlive this object. */
-    SceneHeat(const SceneParameters     &parameters,
-              const SplineSpace<2>      &space,
-              const PatchGeometry<2>    &geometry,
-              const double               period,
-              SolidAssembler<2>         &chip,
-              const ContactAssembler<2> &contact);
+    using Periods = std::array<double, dim - 1>;
+
+    /** The references must outlive this object.
+     *  @param periods of the scene [m]
+     *  @param share which cells of the chip are this process's own */
+    SceneHeat(const SceneParameters       &parameters,
+              const SplineSpace<dim>      &space,
+              const PatchGeometry<dim>    &geometry,
+              const Periods               &periods,
+              SolidAssembler<dim>         &chip,
+              const ContactAssembler<dim> &contact,
+              const CellShare             &share = CellShare());
 
     /**
      * A step has been accepted: conducts its heat, and gives the points of the
-     * chip their new temperatures.
+     * chip their new temperatures; collective.
      * @param u at which the contact has been evaluated last [m]
      * @param dt length of the step [s]
      * @param friction frictional power at the points of the contact, per
-     *   reference length [W/m^2]
+     *   reference length or area [W/m^2]
      */
     void
     advance(const Vector              &u,
@@ -88,7 +100,7 @@ namespace asperity
     tool_temperature() const;
 
     /** Flux into the tool at the points of the contact in the last step, per
-     *  reference length of the chip [W/m^2]. */
+     *  reference length or area of the chip [W/m^2]. */
     const std::vector<double> &
     flux_to_tool() const;
 
@@ -112,17 +124,17 @@ namespace asperity
     Vector
     plastic_power(const double dt) const;
 
-    InterfaceHeat
+    InterfaceHeat<dim>
     interface(const std::vector<double> &friction) const;
 
-    const HeatParameters      &parameters;
-    const bool                 has_oil;
-    const double               start; ///< temperature of the chip [K]
-    const ThermalProperties    material;
-    SolidAssembler<2>         &chip;
-    const ContactAssembler<2> &contact;
-    HeatConduction             conduction;
-    ThermalContact             exchange;
+    const HeatParameters        &parameters;
+    const bool                   has_oil;
+    const double                 start; ///< temperature of the chip [K]
+    const ThermalProperties      material;
+    SolidAssembler<dim>         &chip;
+    const ContactAssembler<dim> &contact;
+    HeatConduction<dim>          conduction;
+    ThermalContact<dim>          exchange;
 
     /** Of the interface at the end of the last step. */
     std::vector<double> chip_rise, tool_rise, to_tool;

@@ -317,8 +317,8 @@ namespace asperity
     resolve();
 
     /** The heat model with another one for `automatic`: isothermal if the
-     *  material says so, conducting if the interface has a shear law (in two
-     *  dimensions), otherwise adiabatic. */
+     *  material says so, conducting if the interface has a shear law, otherwise
+     *  adiabatic. */
     HeatModel
     heat_model() const;
 

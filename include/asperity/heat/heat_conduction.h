@@ -4,7 +4,7 @@
 #include <asperity/heat/body_continuation.h>
 #include <asperity/heat/conductance_integrals.h>
 #include <asperity/heat/thermal_properties.h>
-#include <asperity/isogeometric/basis_table.h>
+#include <asperity/isogeometric/cell_partition.h>
 #include <asperity/solvers/direct_solver.h>
 #include <asperity/solvers/matrix_entries.h>
 
@@ -25,7 +25,8 @@ namespace asperity
    *
    *   rho0 c dT/dt = Div(K Grad T) + s,  K = lambda J F^{-1} F^{-T},
    *
-   * with F = 1 + Grad u the deformation of the step, F_33 = 1, and a source s
+   * with F = 1 + Grad u the deformation of the step, plane strain in two
+   * dimensions, and a source s
    * per reference volume; conduction is isotropic in the current frame. T is a
    * spline, the scheme backward Euler, of first order in time. Without loads
    * its edges are insulated. The functions sum to one, so heat is conserved to
@@ -33,7 +34,12 @@ namespace asperity
    *
    * Vectors have an entry a function; temperatures are rises over the one that
    * the body starts from, so that a body at rest stays there to the last bit.
+   *
+   * On several ranks each integrates its own cells; begin_step(), add_source()
+   * and rise_at_points() are collective, and everything else is the same on
+   * all of them: each has the whole matrix and its factor.
    */
+  template <int dim>
   class HeatConduction
   {
   public:
@@ -42,19 +48,21 @@ namespace asperity
     /**
      * @param cells of the body, which must outlive this object; its
      *   quadrature is also that of the source, and its points are those of
-     *   the material
-     * @param n_functions of the space
+     *   the material; on several ranks with the functions of own cells
+     * @param space whose functions these are
      * @param material its density is that of the reference
+     * @param rows see ConductanceIntegrals
      */
-    HeatConduction(const BasisTable<2>     &cells,
-                   const unsigned int       n_functions,
-                   const ThermalProperties &material);
+    HeatConduction(const BasisTable<dim>   &cells,
+                   const SplineSpace<dim>  &space,
+                   const ThermalProperties &material,
+                   const CellShare         &share = CellShare(),
+                   const GradientRows      &rows  = {});
 
     /** Lets the body go on beyond an edge, see BodyContinuation. */
     void
-    continue_beyond(const BasisTable<2> &edge,
-                    const double         period,
-                    const unsigned int   n_waves);
+    continue_beyond(const BasisTable<dim>   &edge,
+                    const FourierBasis<dim> &waves);
 
     /**
      * Begins a step, or begins it anew.
@@ -66,17 +74,17 @@ namespace asperity
     void
     begin_step(const Vector &u, const double dt);
 
-    /** power_a += int N_a s dV [W/m], with s per reference volume at the
-     *  points of the cells [W/m^3]. */
+    /** power_a += int N_a s dV [W/m^(3 - dim)], with s per reference volume at
+     * the points of the cells [W/m^3]. */
     void
     add_source(const Vector &source, Vector &power) const;
 
-    /** Replaces a power by function [W/m] by the rise at the end of the step
-     *  that it causes alone [K]. */
+    /** Replaces a power by function [W/m^(3 - dim)] by the rise at the end of
+     * the step that it causes alone [K]. */
     void
     respond(Vector &power) const;
 
-    /** Rise over the step [K] under a power by function [W/m]. */
+    /** Rise over the step [K] under a power by function [W/m^(3 - dim)]. */
     Vector
     change(const Vector &power) const;
 
@@ -92,11 +100,11 @@ namespace asperity
     Vector
     rise_at_points() const;
 
-    /** Heat stored beyond that of the start, per thickness [J/m]. */
+    /** Heat stored beyond that of the start [J/m^(3 - dim)]. */
     double
     stored() const;
 
-    /** Heat that has gone on beyond the edge, per thickness [J/m]; 0 without
+    /** Heat that has gone on beyond the edge [J/m^(3 - dim)]; 0 without
      *  continuation. */
     double
     passed_on() const;
@@ -124,10 +132,12 @@ namespace asperity
     void
     assemble_conductance(const Vector &u);
 
-    const BasisTable<2>            &cells;
-    ConductanceIntegrals            integrals;
-    ThermalProperties               material;
-    std::optional<BodyContinuation> continuation;
+    const BasisTable<dim>               &cells;
+    const SplineSpace<dim>              &space;
+    CellShare                            share;
+    ConductanceIntegrals<dim>            integrals;
+    ThermalProperties                    material;
+    std::optional<BodyContinuation<dim>> continuation;
 
     dealii::SparsityPattern       pattern;
     dealii::SparseMatrix<double>  capacity;    ///< int rho0 c N_a N_b dV
@@ -137,7 +147,7 @@ namespace asperity
     std::unique_ptr<DirectSolver> solver;
 
     Vector rise_;
-    Vector heat_content; ///< int rho0 c N_a dV [J/(m K)]
+    Vector heat_content; ///< int rho0 c N_a dV [J/(m^(3 - dim) K)]
   };
 } // namespace asperity
 

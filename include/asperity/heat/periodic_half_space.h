@@ -14,9 +14,10 @@ namespace asperity
   class OutputArchive;
 
   /**
-   * The temperature rise at the surface of a half-space, periodic in x, under a
-   * flux that is constant in each time step. In the Fourier function f_m of
-   * wave number kappa a flux of one that is switched on at t = 0 gives the rise
+   * The temperature rise at the surface of a half-space in dim dimensions,
+   * periodic along it, under a flux that is constant in each time step. In the
+   * Fourier function f_m of wave number kappa, which counts both directions of
+   * a face, a flux of one that is switched on at t = 0 gives the rise
    *
    *   S(t) = erf(kappa sqrt(a t))/(lambda kappa),
    *   S(t) = 2 sqrt(t/(pi lambda rho c))  for kappa = 0
@@ -36,6 +37,7 @@ namespace asperity
    *
    * Coefficients are those of FourierBasis.
    */
+  template <int dim>
   class PeriodicHalfSpace
   {
   public:
@@ -46,10 +48,9 @@ namespace asperity
 
     /** Cold, i.e. without rise. */
     PeriodicHalfSpace(const ThermalProperties &material,
-                      const double             period,
-                      const unsigned int       n_waves);
+                      const FourierBasis<dim> &basis);
 
-    const FourierBasis &
+    const FourierBasis<dim> &
     basis() const;
 
     /** S at the end of a step of length dt [s], for each function: rise per
@@ -66,7 +67,7 @@ namespace asperity
     void
     accept(const Vector &flux, const double dt);
 
-    /** Heat that has gone into one period, per thickness [J/m]. */
+    /** Heat that has gone into one period [J/m^(3 - dim)]. */
     double
     heat() const;
 
@@ -84,7 +85,7 @@ namespace asperity
     wave_rate(const unsigned int m) const;
 
     ThermalProperties material;
-    FourierBasis      basis_;
+    FourierBasis<dim> basis_;
 
     /** Of the exponentials whose sum is 1/sqrt(pi lambda rho c t): rates [1/s]
      *  and weights [K m^2/J]. */

@@ -9,14 +9,16 @@ namespace asperity
 {
   /** Values of a scalar spline at the points of a table.
    *  @param coefficients by function */
+  template <int dim>
   dealii::Vector<double>
-  values_at_points(const BasisTable<2>          &table,
+  values_at_points(const BasisTable<dim>        &table,
                    const dealii::Vector<double> &coefficients);
 
   /** The transposed: result_a += sum_q N_a(q) value_q. With heat by point
-   *  [W/m] it adds the power by function. */
+   *  [W/m^(3 - dim)] it adds the power by function. */
+  template <int dim>
   void
-  add_point_values(const BasisTable<2>          &table,
+  add_point_values(const BasisTable<dim>        &table,
                    const dealii::Vector<double> &values,
                    dealii::Vector<double>       &result);
 } // namespace asperity

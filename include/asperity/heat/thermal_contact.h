@@ -13,10 +13,13 @@ namespace asperity
   class OutputArchive;
 
   /** What tool and chip exchange in a step, at the points of the chip's edge
-   *  and per reference length of it. */
+   *  and per reference length (in three dimensions area) of it. */
+  template <int dim>
   struct InterfaceHeat
   {
-    std::vector<double> x;           ///< in the frame of the tool [m]
+    /** Along the surface of the tool, in its frame [m]. */
+    std::vector<dealii::Point<dim - 1>> places;
+
     std::vector<double> conductance; ///< h, not negative [W/(m^2 K)]
     std::vector<double> friction;    ///< q_f [W/m^2]
   };
@@ -42,6 +45,7 @@ namespace asperity
    * symmetric and positive definite for every h, by conjugate gradients. Heat
    * is conserved whatever their accuracy.
    */
+  template <int dim>
   class ThermalContact
   {
   public:
@@ -49,16 +53,15 @@ namespace asperity
 
     /**
      * @param edge of the chip; must outlive this object
-     * @param tool material of the tool, a half-space with the period of the
+     * @param tool material of the tool, a half-space with the periods of the
      *   edge
-     * @param n_waves see FourierBasis
+     * @param waves of its surface
      * @param offset temperature of the tool far away minus that of the chip at
      *   the start [K]
      */
-    ThermalContact(const BasisTable<2>     &edge,
+    ThermalContact(const BasisTable<dim>   &edge,
                    const ThermalProperties &tool,
-                   const double             period,
-                   const unsigned int       n_waves,
+                   const FourierBasis<dim> &waves,
                    const double             offset);
 
     /** A step as solve() finds it; points are those of the edge. */
@@ -76,20 +79,20 @@ namespace asperity
     /**
      * @param chip whose step has begun
      * @param dt of that step [s]
-     * @param power of the sources in the chip, by function [W/m]
+     * @param power of the sources in the chip, by function [W/m^(3 - dim)]
      * @throws ComputationError if the iteration does not converge
      */
     Step
-    solve(const HeatConduction &chip,
-          const double          dt,
-          const Vector         &power,
-          const InterfaceHeat  &interface) const;
+    solve(const HeatConduction<dim> &chip,
+          const double               dt,
+          const Vector              &power,
+          const InterfaceHeat<dim>  &interface) const;
 
     /** The step is over. */
     void
     accept(const Step &step);
 
-    /** Heat that has gone into the tool, per thickness [J/m]. */
+    /** Heat that has gone into the tool [J/m^(3 - dim)]. */
     double
     heat_of_tool() const;
 
@@ -101,9 +104,9 @@ namespace asperity
     load(InputArchive &archive);
 
   private:
-    const BasisTable<2> &edge;
-    PeriodicHalfSpace    tool;
-    double               offset;
+    const BasisTable<dim> &edge;
+    PeriodicHalfSpace<dim> tool;
+    double                 offset;
   };
 } // namespace asperity
 

@@ -102,9 +102,14 @@ namespace asperity
     add_body_force(const dealii::Tensor<1, dim> &force,
                    dealii::Vector<double>       &external) const;
 
-    /** In three dimensions without the gradients of functions. */
+    /** In three dimensions without the gradients of functions, which are
+     *  element_gradients() alone. */
     const BasisTable<dim> &
     table() const;
+
+    /** Of the functions of an element, in the order of table(). */
+    const ElementGradients<dim> &
+    element_gradients(const unsigned int element) const;
 
     const SplineSpace<dim> &
     space() const;
