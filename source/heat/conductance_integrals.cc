@@ -85,13 +85,15 @@ namespace asperity
           if (!(J > 0.))
             return false;
           // J C^{-1} = (J F^{-1}) (J F^{-T})/J
-          double K[dim][dim];
+          const double w = weights[q] / J;
+          double       K[dim][dim];
           for (unsigned int d = 0; d < dim; ++d)
             for (unsigned int e = 0; e < dim; ++e)
               {
-                K[d][e] = 0.;
-                for (unsigned int i = 0; i < dim; ++i)
-                  K[d][e] += weights[q] / J * C[i][d] * C[i][e];
+                double product = 0.;
+                for (unsigned int i = dim; i-- > 0;)
+                  product += C[i][d] * C[i][e];
+                K[d][e] = w * product;
               }
           for (unsigned int k = 0; k < stride; k += width)
             for (unsigned int d = 0; d < dim; ++d)
@@ -104,10 +106,10 @@ namespace asperity
           for (unsigned int a = 0; a < n; ++a)
             for (unsigned int k = 0; k < stride; k += width)
               {
-                Pack product = at(block + a * stride + k);
-                for (unsigned int d = 0; d < dim; ++d)
+                Pack product = G[a] * at(flux + k);
+                for (unsigned int d = 1; d < dim; ++d)
                   product += G[d * stride + a] * at(flux + d * stride + k);
-                at(block + a * stride + k) = product;
+                at(block + a * stride + k) += product;
               }
         }
       return true;

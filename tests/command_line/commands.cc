@@ -266,8 +266,11 @@ TEST_F(Commands, a_patch_says_what_its_window_changed_and_where_it_slides)
         "subsection Mesh\n set Spans = 8\n set Refinement levels = 0\nend\n"
         "subsection Load\n set Pressure = 5 MPa\n"
         " set Sliding direction = 30 deg\nend\n"
+        "subsection Interface\n set Shear law = Coulomb\n"
+        " set Friction coefficient = 0.1\nend\n"
         "subsection Protocol\n set Ramp steps = 2\n set Slide steps = 2\n"
-        "end\nsubsection Output\n set Output directory = run\nend\n");
+        "end\nsubsection Output\n set Output directory = run\n"
+        " set Picture interval = 4\nend\n");
   const Result result = run("scene.prm");
   EXPECT_EQ(result.status, 0) << result.errors;
   EXPECT_NE(result.output.find("Slides at 30 deg to x"), std::string::npos)
@@ -278,6 +281,11 @@ TEST_F(Commands, a_patch_says_what_its_window_changed_and_where_it_slides)
   for (const std::string key :
        {"window", "filled_samples", "Sq_before", "Sq_after", "transverse"})
     EXPECT_NE(summary.find("\"" + key + "\": "), std::string::npos) << key;
+  for (const std::string field : {"temperature of the chip [degC]",
+                                  "temperature of the tool [degC]",
+                                  "heat flux into the tool [W/m^2]"})
+    EXPECT_NE(read("run/contact_000004.vtu").find(field), std::string::npos)
+      << field;
 }
 
 
