@@ -13,6 +13,7 @@ UM = 1e6  # micrometres a metre
 MPA = 1e-6
 PRESSURE = "contact pressure [Pa]"
 OIL = "oil pressure [Pa]"
+TEMPERATURE = "temperature of the chip [degC]"
 RELIEF = 0.08  # height over length in space, so that the asperities are seen
 
 
@@ -26,7 +27,8 @@ def is_patch(directory):
 
 class Face:
     """The contact face at a step: corners of its squares [um], mean pressure
-    of contact and oil [MPa] and mean height [um] of each."""
+    of contact and oil [MPa], mean temperature [degC] and height [um] of
+    each."""
 
     def __init__(self, directory, step):
         steps = steps_of(directory, "contact")
@@ -38,11 +40,14 @@ class Face:
         picture = part_at(directory, "contact", step)
         # VTK's order of corners, around the square.
         self.corners = picture.in_space[picture.cells] * UM
-        def mean(name):
-            return (picture.field(name) * MPA)[picture.cells].mean(axis=1)
+        def mean(name, factor):
+            if name not in picture.fields:
+                return None
+            return (picture.field(name) * factor)[picture.cells].mean(axis=1)
 
-        self.pressure = mean(PRESSURE)
-        self.oil = mean(OIL) if OIL in picture.fields else None
+        self.pressure = mean(PRESSURE, MPA)
+        self.oil = mean(OIL, MPA)
+        self.temperature = mean(TEMPERATURE, 1.)
         self.corners[..., 2] -= self.corners[..., 2].mean()
         self.height = self.corners[..., 2].mean(axis=1)
 
@@ -97,12 +102,17 @@ def draw_motion(axes, angle):
 
 def plot_patch(directory, step, target):
     """The chip's face in space, and maps of its height, the contact pressure
-    and, where there is oil, its pressure."""
+    and, where there is oil, its pressure, and, where heat is conducted, the
+    temperature."""
     face = Face(directory, step)
     touching = face.pressure[face.pressure > 0.]
     # A few hard points would else lighten all the rest.
     limit = np.quantile(touching, 0.99) if touching.size else 1.
-    n_maps = 2 if face.oil is None else 3
+    further = [(values, label, colours) for values, label, colours in (
+        (face.oil, "oil pressure [MPa]", "Blues"),
+        (face.temperature, "temperature of the chip [°C]", "inferno"))
+               if values is not None]
+    n_maps = 2 + len(further)
     figure = plt.figure(figsize=(5.5 * n_maps, 9.))
     grid = figure.add_gridspec(2, n_maps, height_ratios=(1.3, 1.), left=0.07,
                                right=0.95, bottom=0.07, top=0.93, wspace=0.3)
@@ -111,9 +121,9 @@ def plot_patch(directory, step, target):
     stretch = draw_in_space(space, face, limit)
     draw_map(figure, figure.add_subplot(grid[1, 0]), face, face.pressure,
              "contact pressure [MPa]", "magma_r", limit)
-    if face.oil is not None:
-        draw_map(figure, figure.add_subplot(grid[1, 1]), face, face.oil,
-                 "oil pressure [MPa]", "Blues", max(face.oil.max(), 1e-6))
+    for i, (values, label, colours) in enumerate(further):
+        draw_map(figure, figure.add_subplot(grid[1, 1 + i]), face, values, label,
+                 colours, max(values.max(), 1e-6) if colours == "Blues" else None)
     heights = figure.add_subplot(grid[1, n_maps - 1])
     draw_map(figure, heights, face, face.height, "height of the chip [µm]",
              "viridis")

@@ -10,8 +10,8 @@ Writes into the output directory (or FOLDER)
                            the contact force on the chip as arrows: the hardest
                            contact and two periods; of a patch of the surface
                            (Geometry/Dimension = 3) the chip's face in space and
-                           maps of its height, of the contact pressure and of
-                           that of the oil
+                           maps of its height, of the contact pressure, of
+                           that of the oil and of its temperature
   oil_flow.png             if the oil fills the gap as a flow: its pressure, less
                            the mean, and its velocity; the height stretched
   friction.png             mu and contact fraction over time and sliding

@@ -282,6 +282,46 @@ TEST(PeriodicHalfSpace, warms_under_a_wave_along_two_directions)
 
 
 
+// A spot of the tool, |x| < b and |y| < b, heated from t = 0 on has in its
+// middle q/(rho c) int erf(b/(2 sqrt(a tau)))^2/sqrt(pi a tau) dtau (Carslaw
+// and Jaeger 1959, section 10.5); that of the neighbours is too far.
+TEST(PeriodicHalfSpace, warms_in_the_middle_of_a_square_spot)
+{
+  const double         b = 1e-6, L = 8. * b, q = 3e9;
+  PeriodicHalfSpace<3> body(carbide, FourierBasis<3>({{L, L}}, {{64, 64}}));
+  // The waves of the spot along each axis: int f_i dx over it.
+  const auto integral = [&](const unsigned int i) {
+    const double kappa = 2. * M_PI * ((i + 1) / 2) / L;
+    return i == 0 ? 2. * b : i % 2 == 1 ? 2. * std::sin(kappa * b) / kappa : 0.;
+  };
+  Vector flux(body.basis().size());
+  for (unsigned int m = 0; m < flux.size(); ++m)
+    flux(m) = q * body.basis().norm(m) * integral(m % 129) * integral(m / 129);
+  const FourierValues<3> middle(body.basis(), {dealii::Point<2>(0., L)});
+  const double           a = carbide.diffusivity(), end = 0.5 * b * b / a;
+  double                 time = 0.;
+  for (unsigned int i = 0; i < 5; ++i)
+    {
+      const double dt  = end * (0.04 + 0.08 * i);
+      const double now = middle.at_points(rise(body, flux, dt))(0);
+      body.accept(flux, dt);
+      time += dt;
+      boost::math::quadrature::tanh_sinh<double> quadrature;
+      const double                               exact =
+        2. * q / std::sqrt(M_PI) * std::sqrt(a) / carbide.conductivity *
+        quadrature.integrate(
+          [&](const double s) { // tau = s^2
+            return s == 0. ? 1. :
+                             std::pow(std::erf(b / (2. * s * std::sqrt(a))), 2);
+          },
+          0.,
+          std::sqrt(time));
+      EXPECT_NEAR(now, exact, 5e-3 * exact) << i; // of the waves left out
+    }
+}
+
+
+
 TEST(PeriodicHalfSpace, goes_on_from_an_archive_bit_for_bit)
 {
   PeriodicHalfSpace<2> body(carbide, along_x(10e-6, 3)), copy = body;
