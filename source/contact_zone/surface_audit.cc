@@ -22,11 +22,11 @@ namespace asperity
     error_of_ridges(const bool is_sheared)
     {
       return is_sheared ?
-               "with a shear factor of 0.5 mu in the mean over profiles was 28 % "
-               "below to 12 % above that of patches at Str = 0.05 to 1" :
+               "with a shear factor of 0.5 mu in the mean over profiles was 24 % "
+               "below to 15 % above that of patches at Str = 0.05 to 1" :
                "without shear of the interface mu in the mean over profiles "
-               "lacked 4 to 54 % of that of patches at Str = 0.05, 35 to 70 % "
-               "at 0.15 and 0.2, and 16 to 66 % at 0.6 to 1";
+               "lacked up to 48 % of that of patches at Str = 0.05, 32 to 65 % "
+               "at 0.15 and 0.2, and 8 to 61 % at 0.6 to 1";
     }
 
     void
@@ -59,9 +59,8 @@ namespace asperity
            "for it, the map is too small to tell: Str is at most " +
              ratio + ", and ") +
         error_of_ridges(is_sheared) +
-        " (on one to three windows, with time steps that make profiles look "
-        "6 to 8 % too low: parameter_files/charts/10_plane_strain); a patch "
-        "(Geometry/Dimension = 3) has its hills." +
+        " (on one to three windows: parameter_files/charts/10_plane_strain); a "
+        "patch (Geometry/Dimension = 3) has its hills." +
         (texture.has_lay() ?
            "" :
            " One profile is another matter: eight of the blasted tool of the "

@@ -9,50 +9,65 @@ from . import rough_surfaces as rough
 from .style import BLUE, GREEN, INK, PURPLE, RED, log_axis, panels
 
 TITLE = "Plane strain: what a profile errs against a patch of the surface"
-# Elements along and across the motion in a window.
-DEFAULT = {"spans": 24, "across": 12}
-QUICK = {"spans": 16, "across": 12}
+# Elements along and across the motion in a window, and time steps.
+DEFAULT = {"spans": 24, "across": 12, "ramp": 32, "slide": 80}
+QUICK = {"spans": 16, "across": 12, "ramp": 8, "slide": 20}
 FINER = "three quarters of the element length"
-REFINED = {FINER: {"spans": 32, "across": 16}}
+SLOWER = "half the time step"
+REFINED = {FINER: {**DEFAULT, "spans": 32, "across": 16},
+           SLOWER: {**DEFAULT, "ramp": 64, "slide": 160}}
 COLOURS_OF = {"synthetic": BLUE, "blasted": RED,
               "ground": PURPLE}
 
 
+WETTING = 0.8  # of the cases with oil
+DRY, SHEARED, OILED = (0., 0.), (0.5, 0.), (0., WETTING)
+
+
 def cases(full):
-    """(surface, stretches, share m, settings, elements)"""
+    """(surface, stretches, (share m, wetting), settings, elements)"""
     if not full:
-        return [(surfaces.synthetic(1), (1, 20), 0., "", QUICK)]
-    whole = [(surfaces.synthetic(seed), (1, 5, 20)) for seed in (1, 2, 3)]
-    whole += [(surfaces.tool("blasted", 1), (1,)),
-              (surfaces.tool("blasted", 2), (1,))]
+        return [(surfaces.synthetic(1), (1, 20), DRY, "", QUICK)]
+    tools = [(surfaces.tool("blasted", 1), (1,)),
+             (surfaces.tool("blasted", 2), (1,))]
     if os.path.exists(surfaces.MAPS["ground"]):
-        whole.append((surfaces.ground(1), (1,)))
-    found = [(surface, stretches, factor, "", DEFAULT)
-             for factor in (0., 0.5) for surface, stretches in whole]
-    found += [(surfaces.synthetic(1), (1, 20), 0., FINER, REFINED[FINER]),
-              (surfaces.synthetic(2), (1,), 0., FINER, REFINED[FINER])]
+        tools.append((surfaces.ground(1), (1,)))
+    synthetic = [(surfaces.synthetic(seed), (1, 5, 20)) for seed in (1, 2, 3)]
+    found = [(surface, stretches, interface, "", DEFAULT)
+             for interface in (DRY, SHEARED)
+             for surface, stretches in synthetic + tools]
+    found += [(surface, stretches, OILED, "", DEFAULT)
+              for surface, stretches in synthetic[:1] + tools]
+    found += [(surfaces.synthetic(1), (1, 20), DRY, settings, elements)
+              for settings, elements in REFINED.items()]
+    found += [(surfaces.synthetic(2), (1,), DRY, FINER, REFINED[FINER]),
+              (surfaces.synthetic(1), (1,), SHEARED, SLOWER, REFINED[SLOWER])]
     return found
 
 
 def runs_of(chart):
     """{run: (columns of its row, entries)}"""
     runs = {}
-    for surface, stretches, factor, settings, elements in cases(chart.full):
+    for surface, stretches, interface, settings, elements in cases(chart.full):
         path = os.path.join(chart.folder, "maps",
                             f"{surface.name.replace(' ', '_')}.txt")
         rough.write_map(path, surface.heights)
         rows = range(0, rough.SAMPLES, rough.SAMPLES // surfaces.PROFILES)
-        found = [("profile", row, surfaces.profile(surface, path, row, factor,
-                                                   elements)) for row in rows]
+        found = [("profile", row,
+                  surfaces.profile(surface, path, row, interface, elements))
+                 for row in rows]
         found += [("patch", stretch, surfaces.patch(surface, path, stretch,
-                                                    factor, elements))
+                                                    interface, elements))
                   for stretch in stretches]
+        factor, wetting = interface
         for kind, number, entries in found:
-            name = ", ".join(filter(None, (surface.name, f"m {factor:g}",
-                                           f"{kind} {number}", settings)))
+            name = ", ".join(filter(None, (
+                surface.name, f"m {factor:g}", f"oil {wetting:g}" if wetting else
+                "", f"{kind} {number}", settings)))
             runs[name] = ({"surface": surface.kind, "seed": surface.seed,
-                           "m": factor, "kind": kind, "stretch or row": number,
-                           "settings": settings}, entries)
+                           "m": factor, "wetting": wetting, "kind": kind,
+                           "stretch or row": number, "settings": settings},
+                          entries)
     return runs
 
 
@@ -61,6 +76,7 @@ def measure(chart):
     made = chart.scenes({name: entries for name, (_, entries) in runs.items()})
     chart.table([{"run": name, **columns, "mu": made[name].mu,
                   "contact fraction": made[name].value("contact_fraction"),
+                  "oil share": made[name].value("oil", "load_share"),
                   "Str": made[name].value("surfaces", "Str"),
                   "time": made[name].seconds,
                   "failed": made[name].failure or ""}
@@ -72,7 +88,7 @@ def show(chart):
     groups = results.groups(rows)
     picture(chart, groups)
     chart.page(TITLE, *conclusion(groups), table(groups),
-               *numerics(rows, groups["mu"]))
+               *numerics(rows))
 
 
 def per_cent(values):
@@ -85,50 +101,56 @@ def per_cent(values):
 
 
 def table(groups):
-    lines = ["| surface | Str | m | windows | mu of the patch | mean over profiles "
+    lines = ["| surface | Str | m | oil | windows | mu of the patch | mean over profiles "
              "[%] (by window) | one profile [%] (root mean square) | contact "
-             "fraction of the patch | its mean over profiles [%] |",
-             "|" + " --- |" * 9]
+             "fraction of the patch | its mean over profiles [%] | load that oil "
+             "carries, patch | its mean over profiles |",
+             "|" + " --- |" * 12]
     for key, group in groups["mu"].items():
         area = groups["contact fraction"][key]
-        cells = (group.surface, f"{group.ratio:g}", f"{group.m:g}",
+        factor, wetting = group.interface
+        share = groups["oil share"].get(key)
+        cells = (group.surface, f"{group.ratio:g}", f"{factor:g}", f"{wetting:g}",
                  len(group.patches), f"{group.patch:.3f}",
                  f"{group.bias():+.0f} ({per_cent(group.of_means().values())})",
                  f"{per_cent(group.of_profiles())} ({group.typical():.0f})",
-                 f"{area.patch:.3f}", f"{area.bias():+.0f}")
+                 f"{area.patch:.3f}", f"{area.bias():+.0f}",
+                 f"{share.patch:.2f}" if wetting else "",
+                 f"{share.of_all_profiles():.2f}" if wetting else "")
         lines.append("| " + " | ".join(map(str, cells)) + " |")
     return "\n".join(lines)
 
 
-def numerics(rows, of_mu):
-    """What finer settings change of patches and of the mean over profiles."""
+def numerics(rows):
+    """What finer settings change of patches and of profiles, in the mean."""
     sentences = []
     for settings in REFINED:
         for kind in ("patch", "profile"):
-            fine = {(row["surface"], row["seed"], row["m"], row["kind"],
-                     row["stretch or row"]): row["mu"] for row in rows
-                    if row["settings"] == settings and row["kind"] == kind}
-            usual = {(row["surface"], row["seed"], row["m"], row["kind"],
-                      row["stretch or row"]): row["mu"] for row in rows
-                     if row["settings"] == ""}
-            for factor in sorted({key[2] for key in fine}):
-                pairs = [(mu, usual[key]) for key, mu in fine.items()
-                         if key[2] == factor and math.isfinite(mu)
-                         and math.isfinite(usual.get(key, math.nan))]
-                if pairs:
-                    change = results.error(
-                        results.mean([f for f, _ in pairs]),
-                        results.mean([u for _, u in pairs]))
-                    sentences.append(
-                        f"{settings} changes mu of {len(pairs)} "
-                        f"{'patches' if kind == 'patch' else 'profiles'} with m = "
-                        f"{factor:g} by {change:+.1f} % in the mean")
-    return [("Numerical error: " + "; ".join(sentences) + ". The 28 steps take "
-             "more from profiles than from patches: with four times as many mu "
-             "of the first synthetic surface at Str = 1 rises by 18 and 3.5 % "
-             "without shear and by 9 and 3 % with it (tools/benchmarks), so "
-             "that the mean over its profiles is off by -34 instead of -42 % "
-             "and by +0.4 instead of -5 %.")] if sentences else []
+            of = {finer: {(row["surface"], row["seed"], results.interface_of(row),
+                           row["stretch or row"]): row["mu"] for row in rows
+                          if row["kind"] == kind and row["settings"] == finer
+                          and math.isfinite(row["mu"])}
+                  for finer in ("", settings)}
+            for interface in sorted({key[2] for key in of[settings]}):
+                pairs = [(mu, of[""][key]) for key, mu in of[settings].items()
+                         if key[2] == interface and key in of[""]]
+                if not pairs:
+                    continue
+                change = results.error(results.mean([mu for mu, _ in pairs]),
+                                       results.mean([mu for _, mu in pairs]))
+                sentences.append(
+                    f"{settings} changes mu of {len(pairs)} "
+                    f"{'patches' if kind == 'patch' else 'profiles'} "
+                    f"{name_of(interface)} by {change:+.1f} %")
+    return ["Numerical error, in the mean: " + "; ".join(sentences) + "."
+            ] if sentences else []
+
+
+def name_of(interface):
+    factor, wetting = interface
+    if wetting:
+        return f"with oil in {100. * wetting:g} % of the void"
+    return "without shear" if factor == 0. else f"with m = {factor:g}"
 
 
 def listed(groups):
@@ -156,20 +178,20 @@ def conclusion(groups):
            "Gaussian and the same ones at each Str: they are stretched across the "
            "motion, which leaves their profiles as they are. A window is as long as "
            "one to two asperities.")
-    for factor in sorted({m for _, m, _ in groups["mu"]}):
-        of_surface = {surface: sorted((g for (s, m, _), g in groups["mu"].items()
-                                       if m == factor and s == surface),
+    for interface in interfaces(groups):
+        of_surface = {surface: sorted((g for (s, i, _), g in groups["mu"].items()
+                                       if i == interface and s == surface),
                                       key=lambda g: -g.ratio)
                       for surface in COLOURS_OF}
         synthetic = of_surface.pop("synthetic")
         if not synthetic:
             continue
-        text = ("**Without shear of the interface** " if factor == 0. else
-                f"**With a shear factor of {factor:g}** ")
-        text += ("mu of the mean over profiles is off that of the patches by "
-                 f"{listed(synthetic)} (Str); one profile is off by " + ", ".join(
-                     f"{g.typical():.0f} %" for g in synthetic)
-                 + " (root mean square)")
+        name = name_of(interface)
+        text = (f"**{name[0].upper()}{name[1:]}** "
+                "mu of the mean over profiles is off that of the patches by "
+                f"{listed(synthetic)} (Str); one profile is off by " + ", ".join(
+                    f"{g.typical():.0f} %" for g in synthetic)
+                + " (root mean square)")
         text += f": {verdict(synthetic)}. "
         yield text + " ".join(of_tool(group) for found in of_surface.values()
                               for group in found)
@@ -186,14 +208,18 @@ def of_tool(group):
             f"{per_cent(group.of_profiles())} %.")
 
 
+def interfaces(groups):
+    return list(dict.fromkeys(interface for _, interface, _ in groups["mu"]))
+
+
 def picture(chart, groups):
-    factors = sorted({m for _, m, _ in groups["mu"]})
-    figure, axes = panels(len(factors), 2, width=4.6, height=3.5)
-    for row, (quantity, found) in zip(axes, groups.items()):
-        for panel, factor in zip(row, factors):
-            draw(panel, [g for (_, m, _), g in found.items() if m == factor],
-                 f"{quantity}, " + ("no shear of the interface" if factor == 0.
-                                    else f"shear factor {factor:g}"))
+    found = interfaces(groups)
+    quantities = ("mu", "contact fraction")
+    figure, axes = panels(len(found), len(quantities), width=4.6, height=3.5)
+    for row, quantity in zip(axes, quantities):
+        for panel, interface in zip(row, found):
+            draw(panel, [g for (_, i, _), g in groups[quantity].items()
+                         if i == interface], f"{quantity}, {name_of(interface)}")
     axes[1, 0].legend(loc="upper left", fontsize=7)
     chart.picture(figure)
 

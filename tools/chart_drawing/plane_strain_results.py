@@ -20,10 +20,10 @@ def error(value, of):
 
 @dataclasses.dataclass
 class Group:
-    """Realisations of one kind of surface at one Str and one share m. Errors are
-    in per cent of the patch."""
+    """Realisations of one kind of surface at one Str, and what is between it and
+    the chip. Errors are in per cent of the patch."""
     surface: str
-    m: float
+    interface: tuple  # shear factor and wetting
     stretch: float
     patches: dict  # {seed: value}
     profiles: dict  # {seed: values}
@@ -36,6 +36,10 @@ class Group:
     def patch(self):
         return mean(self.patches.values())
 
+    def of_all_profiles(self):
+        """Mean over the profiles of all surfaces."""
+        return mean([mean(self.profiles[seed]) for seed in self.patches])
+
     def of_means(self):
         """Errors of the mean over the profiles of a surface, by seed."""
         return {seed: error(mean(self.profiles[seed]), patch)
@@ -43,8 +47,7 @@ class Group:
 
     def bias(self):
         """Error of the mean over the profiles of all surfaces."""
-        return error(mean([mean(self.profiles[seed]) for seed in self.patches]),
-                     self.patch)
+        return error(self.of_all_profiles(), self.patch)
 
     def of_profiles(self):
         return [error(value, patch) for seed, patch in self.patches.items()
@@ -55,11 +58,15 @@ class Group:
         return math.sqrt(mean([e * e for e in self.of_profiles()]))
 
 
+def interface_of(row):
+    return row["m"], row["wetting"]
+
+
 def groups(rows, settings=""):
-    """For mu and the contact fraction: groups by (surface, m, stretch), in the
-    order of the table."""
+    """For each quantity: groups by (surface, interface, stretch), in the order of
+    the table."""
     return {quantity: groups_of(rows, quantity, settings)
-            for quantity in ("mu", "contact fraction")}
+            for quantity in ("mu", "contact fraction", "oil share")}
 
 
 def groups_of(rows, quantity, settings=""):
@@ -68,10 +75,10 @@ def groups_of(rows, quantity, settings=""):
         if row["kind"] != "patch" or row["settings"] != settings or \
                 not math.isfinite(row[quantity]):
             continue
-        key = row["surface"], row["m"], row["stretch or row"]
+        key = row["surface"], interface_of(row), row["stretch or row"]
         group = result.setdefault(key, Group(*key, {}, {}))
         same = [other for other in rows if other["settings"] == settings and
-                (other["surface"], other["m"]) == (row["surface"], row["m"])]
+                (other["surface"], interface_of(other)) == key[:2]]
         group.patches[row["seed"]] = row[quantity]
         group.profiles[row["seed"]] = [
             other[quantity] for other in same if other["kind"] == "profile"

@@ -69,33 +69,44 @@ def shear(factor):
             "Interface/Shear factor": factor, "Heat/Model": "adiabatic"}
 
 
-def common(surface, path, factor, elements):
-    """Entries of patch and profile alike."""
+def oil(wetting):
+    """Part of the void at the first touch that oil fills, all of one pressure."""
+    if wetting == 0.:
+        return {}
+    return {"Lubrication/Model": "pocket", "Lubrication/Wetting": wetting,
+            "Lubrication/Oil amount": "part of void at touch"}
+
+
+def common(surface, path, interface, elements):
+    """Entries of patch and profile alike; interface is the shear factor and the
+    wetting, elements also has the time steps."""
     spans = elements["spans"]
     topography = {
         "File": path, "Lateral unit": "um", "Height unit": "um",
         "Spacing x": f"{surface.length / rough.SAMPLES:.8g} um",
         "F-operator": "none", "Profile length": f"{surface.length:.8g} um"}
-    return {"Tool/Kind": "measured", **shear(factor),
+    factor, wetting = interface
+    return {"Tool/Kind": "measured", **shear(factor), **oil(wetting),
             **{f"Tool/Topography/{key}": value
                for key, value in topography.items()},
             "Geometry/Chip height": f"{1.3 * surface.length:.8g} um",
             "Mesh/Strip depth": f"{surface.length / spans:.8g} um",
             "Mesh/Spans": spans,
             "Protocol/Sliding distance": f"{0.5 * surface.length:.8g} um",
-            "Protocol/Ramp steps": 8, "Protocol/Slide steps": 20}
+            "Protocol/Ramp steps": elements["ramp"],
+            "Protocol/Slide steps": elements["slide"]}
 
 
-def patch(surface, path, stretch, factor, elements):
+def patch(surface, path, stretch, interface, elements):
     width = surface.length * width_over_length(surface, stretch)
-    return {**common(surface, path, factor, elements),
+    return {**common(surface, path, interface, elements),
             "Tool/Topography/Spacing y": f"{width / rough.SAMPLES:.8g} um",
             "Geometry/Width": f"{width:.8g} um",
             "Mesh/Spans across": elements["across"]}
 
 
-def profile(surface, path, row, factor, elements):
-    return {**common(surface, path, factor, elements),
+def profile(surface, path, row, interface, elements):
+    return {**common(surface, path, interface, elements),
             "Tool/Topography/Spacing y": f"{surface.length / rough.SAMPLES:.8g} um",
             "Geometry/Dimension": 2,
             "Tool/Topography/Profile direction": "0 deg",
