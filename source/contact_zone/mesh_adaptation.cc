@@ -4,17 +4,25 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <utility>
 
 namespace asperity
 {
   namespace
   {
-    /** How many cells of a level there are beside what touches at the least,
-     *  after a change of the mesh, and which are kept where they are. Fewer
-     *  change mu by more than 0.1 % as they come (tools/benchmarks). */
-    constexpr double smallest_halo = 6., halo_ahead = 10., halo_kept = 12.;
+    /** Over Adaptive halo, which are there after a change of the mesh: how many
+     *  cells of a level there are beside what touches at the least, and which
+     *  are kept where they are. */
+    constexpr double smallest_halo = 0.6, halo_kept = 1.2;
+
+    /** Adaptive halo: fewer change mu of a profile by more than 0.1 % as cells
+     *  come (tools/benchmarks), and that of a patch by more than 1 %, where
+     * each costs cells around a spot (parameter_files/surface_patches). */
+    constexpr unsigned int halo_of_profile = 10, halo_of_patch = 5;
 
     /** Plastic strain, in the root mean square, that a coarsening may lose:
      *  with 0.005 it moves mu by up to 0.3 % when the spot comes round again,
@@ -24,6 +32,11 @@ namespace asperity
     /** Part of the Remesh distance that must be left. */
     constexpr double reserve = 0.25;
 
+    /** Part of the halo and multiple of the loss that meshes with too many
+     *  unknowns have left, before they lose a level. */
+    constexpr std::array<std::array<double, 2>, 4> savings = {
+      {{{1., 1.}}, {{0.75, 4.}}, {{0.5, 16.}}, {{0.35, 64.}}}};
+
     /** Distance from an interval of a period to the nearest of sorted points.
      */
     double
@@ -32,8 +45,6 @@ namespace asperity
              const double               end,
              const double               period)
     {
-      if (points.empty())
-        return period;
       const auto after = std::lower_bound(points.begin(), points.end(), begin);
       const double next =
         after != points.end() ? *after : points.front() + period;
@@ -51,34 +62,117 @@ namespace asperity
       return std::abs(protocol.displacement(protocol.next_time(time)) -
                       protocol.displacement(time));
     }
+
+    double
+    height_at(const Surface &surface, const dealii::Point<2> &x)
+    {
+      return surface.height(x[0]);
+    }
+
+    double
+    height_at(const SheetSurface &surface, const dealii::Point<3> &x)
+    {
+      return surface.sheet.value(dealii::Point<2>(x[0], x[1]));
+    }
   } // namespace
 
 
 
-  MeshAdaptation::MeshAdaptation(const SceneParameters &parameters,
-                                 const Scene<2>        &scene,
-                                 const LoadProtocol    &protocol)
+  /** Rows along x of points with one y (in two dimensions one row). */
+  template <int dim>
+  class MeshAdaptation<dim>::Points
+  {
+  public:
+    /** @param proportion of lengths along y to those along x that count as
+     *    much: of the elements */
+    Points(const double length, const double width, const double proportion)
+      : length(length)
+      , width(width)
+      , proportion(proportion)
+    {}
+
+    void
+    add(const dealii::Point<dim> &parameter)
+    {
+      rows[dim == 2 ? 0. : parameter[1]].push_back(parameter[0]);
+    }
+
+    void
+    sort()
+    {
+      for (auto &row : rows)
+        std::sort(row.second.begin(), row.second.end());
+    }
+
+    /** Whether a box is nearer to a point than so much along x, and than what
+     *  this is along y [m]. */
+    bool
+    are_within(const dealii::Point<dim> &lower,
+               const dealii::Point<dim> &upper,
+               const double              reach) const
+    {
+      if (length < reach)
+        return true;
+      return std::any_of(rows.begin(), rows.end(), [&](const auto &row) {
+        return (dim == 2 || distance({row.first}, lower[1], upper[1], width) <
+                              reach * proportion) &&
+               distance(row.second, lower[0], upper[0], length) < reach;
+      });
+    }
+
+  private:
+    double length, width, proportion;
+
+    std::map<double, std::vector<double>> rows;
+  };
+
+
+
+  template <int dim>
+  MeshAdaptation<dim>::MeshAdaptation(const SceneParameters &parameters,
+                                      const Scene<dim>      &scene,
+                                      const LoadProtocol    &protocol)
     : parameters(parameters)
     , scene(scene)
     , protocol(protocol)
+    , thrift(steps_of_thrift(parameters.mesh))
   {}
 
 
 
-  SplineSpace<2>::CellLevel
-  MeshAdaptation::level_beside(const std::vector<double> &points,
-                               const double               halo) const
+  template <int dim>
+  std::vector<typename MeshAdaptation<dim>::Thrift>
+  MeshAdaptation<dim>::steps_of_thrift(const MeshParameters &mesh)
   {
-    return [this, points, halo](const dealii::Point<2> &lower,
-                                const dealii::Point<2> &upper) {
+    if (mesh.most_unknowns == 0)
+      return {{1., 1., 0}};
+    std::vector<Thrift> steps;
+    for (unsigned int levels = 0; levels < mesh.adaptive_levels; ++levels)
+      for (const auto &[halo, loss] : savings)
+        steps.push_back({halo, loss, levels});
+    steps.push_back({0., 0., mesh.adaptive_levels});
+    return steps;
+  }
+
+
+
+  template <int dim>
+  typename MeshAdaptation<dim>::CellLevel
+  MeshAdaptation<dim>::level_beside(const std::shared_ptr<const Points> &points,
+                                    const double                         halo,
+                                    const unsigned int finest) const
+  {
+    return [this, points, halo, finest](const dealii::Point<dim> &lower,
+                                        const dealii::Point<dim> &upper) {
       const MeshParameters &mesh  = parameters.mesh;
-      const double          depth = parameters.geometry.height - upper[1];
-      const double beside = distance(points, lower[0], upper[0], scene.length);
-      unsigned int level  = 0;
-      while (level < mesh.refinement && is_in_strip(mesh, level + 1, depth) &&
+      const double          depth = parameters.geometry.height - upper[dim - 1];
+      unsigned int          level = 0;
+      while (level < finest && is_in_strip(mesh, level + 1, depth) &&
              (level < mesh.n_even_levels() ||
-              beside < halo * scene.length / mesh.spans *
-                         (1u << (mesh.refinement - level - 1))))
+              points->are_within(lower,
+                                 upper,
+                                 halo * scene.length / mesh.spans *
+                                   (1u << (mesh.refinement - level - 1)))))
         ++level;
       return level;
     };
@@ -86,15 +180,20 @@ namespace asperity
 
 
 
+  template <int dim>
   bool
-  MeshAdaptation::is_needed(const double time, const double approach) const
+  MeshAdaptation<dim>::is_needed(const double time, const double approach) const
   {
-    const SplineSpace<2>::CellLevel level =
+    // Without all of the levels nothing would ever be missing.
+    const Thrift    spared = thrift[std::min<std::size_t>(
+      taken, std::max<std::size_t>(thrift.size(), 2) - 2)];
+    const CellLevel level =
       level_beside(touching(time,
                             approach,
                             std::max(reserve * parameters.mesh.remesh_distance,
                                      next_way(protocol, time))),
-                   smallest_halo);
+                   smallest_halo * spared.halo * halo(),
+                   parameters.mesh.refinement - spared.levels);
     for (const unsigned int cell : scene.space->edge_cells(Edge::top))
       {
         const auto [lower, upper] = scene.space->cell_box(cell);
@@ -107,68 +206,128 @@ namespace asperity
 
 
 
-  SplineSpace<2>::CellLevel
-  MeshAdaptation::wanted(const double time, const double approach) const
+  template <int dim>
+  std::vector<typename MeshAdaptation<dim>::CellLevel>
+  MeshAdaptation<dim>::wanted(const double time, const double approach) const
   {
-    const auto points          = touching(time,
+    const auto          points = touching(time,
                                  approach,
                                  std::max(parameters.mesh.remesh_distance,
                                           2. * next_way(protocol, time)));
-    const auto needed          = level_beside(points, halo_ahead),
-               kept            = level_beside(points, halo_kept);
     const auto          before = scene.space->hierarchy();
     std::vector<double> strain;
     for (const MaterialState &state : scene.chip->history())
       strain.push_back(state.plastic_strain);
-    const std::vector<double> loss =
+    const auto loss = std::make_shared<const std::vector<double>>(
       coarsening_loss(*before,
-                      dealii::QGauss<2>(parameters.mesh.n_quadrature_points()),
-                      strain);
-    return [needed, kept, before, loss](const dealii::Point<2> &lower,
-                                        const dealii::Point<2> &upper) {
-      const unsigned int cell =
-        before->find_cell(lower + 0.5 * (upper - lower));
-      const unsigned int now = before->cell_index(cell).level;
-      // The loss of one level is known, not that of more.
-      const unsigned int worthy =
-        loss[cell] > largest_loss || now == 0 ? now : now - 1;
-      return std::max(
-        {needed(lower, upper), worthy, std::min(now, kept(lower, upper))});
-    };
+                      dealii::QGauss<dim>(
+                        parameters.mesh.n_quadrature_points()),
+                      strain));
+    std::vector<CellLevel> meshes;
+    for (const Thrift &spared : thrift)
+      {
+        const unsigned int finest = parameters.mesh.refinement - spared.levels;
+        const auto needed = level_beside(points, spared.halo * halo(), finest),
+                   kept   = level_beside(points,
+                                       spared.halo * halo_kept * halo(),
+                                       finest);
+        const double largest = spared.loss * largest_loss;
+        meshes.push_back([needed, kept, before, loss, finest, largest](
+                           const dealii::Point<dim> &lower,
+                           const dealii::Point<dim> &upper) {
+          const unsigned int cell =
+            before->find_cell(lower + 0.5 * (upper - lower));
+          const unsigned int now =
+            std::min(before->cell_index(cell).level, finest);
+          // The loss of one level is known, not that of more.
+          const unsigned int worthy =
+            (*loss)[cell] > largest || now == 0 ? now : now - 1;
+          return std::max(
+            {needed(lower, upper), worthy, std::min(now, kept(lower, upper))});
+        });
+      }
+    return meshes;
   }
 
 
 
-  std::vector<double>
-  MeshAdaptation::touching(const double time,
-                           const double approach,
-                           const double distance) const
+  template <int dim>
+  double
+  MeshAdaptation<dim>::halo() const
+  {
+    return parameters.mesh.halo.value_or(dim == 2 ? halo_of_profile :
+                                                    halo_of_patch);
+  }
+
+
+
+  template <int dim>
+  void
+  MeshAdaptation<dim>::set_taken(const unsigned int number)
+  {
+    AssertIndexRange(number, thrift.size());
+    taken = number;
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  MeshAdaptation<dim>::missing_levels(const unsigned int number) const
+  {
+    return thrift[number].levels;
+  }
+
+
+
+  template <int dim>
+  double
+  MeshAdaptation<dim>::n_elements_of_way(const double distance) const
+  {
+    return dim == 2 ? distance * parameters.mesh.spans / scene.length :
+                      distance / scene.contact_element_length();
+  }
+
+
+
+  template <int dim>
+  std::shared_ptr<const typename MeshAdaptation<dim>::Points>
+  MeshAdaptation<dim>::touching(const double time,
+                                const double approach,
+                                const double distance) const
   {
     const double ahead = distance / std::abs(parameters.load.velocity);
     const double lift  = std::max(0., approach) * ahead;
     const double way =
       protocol.displacement(time + ahead) - protocol.displacement(time);
-    const auto n = static_cast<unsigned int>(
-      std::ceil(distance * parameters.mesh.spans / scene.length));
+    const auto n =
+      static_cast<unsigned int>(std::ceil(n_elements_of_way(distance)));
     const std::vector<bool> touches = scene.contact->touching();
-    std::vector<double>     points;
+    const MeshParameters   &mesh    = parameters.mesh;
+    const auto              points  = std::make_shared<Points>(
+      scene.length,
+      scene.width,
+      scene.width / mesh.n_spans_across(scene.length, scene.width) /
+        (scene.length / mesh.spans));
     for (unsigned int q = 0; q < touches.size(); ++q)
       {
-        const dealii::Point<2> &x    = scene.contact->positions()[q];
-        bool                    will = touches[q];
+        const dealii::Point<dim> &x    = scene.contact->positions()[q];
+        bool                      will = touches[q];
         for (unsigned int i = 0; i <= n && !will; ++i)
-          will =
-            scene.tool_surface.height(x[0] + way * i / n) < x[1] + lift * i / n;
+          will = height_at(scene.tool_surface, x + way * i / n * scene.motion) <
+                 x[dim - 1] + lift * i / n;
         if (will)
-          points.push_back(scene.contact->table().parameter[q][0]);
+          points->add(scene.contact->table().parameter[q]);
       }
+    points->sort();
     return points;
   }
 
 
 
+  template <int dim>
   double
-  plastic_work(const SolidAssembler<2>          &chip,
+  plastic_work(const SolidAssembler<dim>        &chip,
                const std::vector<MaterialState> &states,
                const LoadParameters             &start)
   {
@@ -189,4 +348,17 @@ namespace asperity
       }
     return work;
   }
+
+
+
+  template class MeshAdaptation<2>;
+  template class MeshAdaptation<3>;
+  template double
+  plastic_work(const SolidAssembler<2> &,
+               const std::vector<MaterialState> &,
+               const LoadParameters &);
+  template double
+  plastic_work(const SolidAssembler<3> &,
+               const std::vector<MaterialState> &,
+               const LoadParameters &);
 } // namespace asperity

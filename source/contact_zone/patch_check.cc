@@ -110,8 +110,6 @@ namespace asperity
              (fills_gap(lubricant) ? "whose flow is that of a plane" :
                                      "whose film is that of a profile"),
            "Lubrication/Model = pocket, automatic or none");
-    if (p.mesh.adaptive_levels > 0)
-      fail("a mesh that changes", "Mesh/Adaptive levels = 0");
     if (p.accuracy.is_adaptive())
       fail("settings that are chosen by the error of mu",
            "Accuracy/Control = estimate or off");

@@ -72,6 +72,14 @@ namespace asperity
 
 
   bool
+  MeshParameters::is_bounded() const
+  {
+    return adaptive_levels > 0 && most_unknowns > 0;
+  }
+
+
+
+  bool
   MeshParameters::has_coarser() const
   {
     return spans % 2 == 0 && (refinement > 0 || spans / 2 >= 2 * degree + 2);

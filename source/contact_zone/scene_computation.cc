@@ -106,6 +106,7 @@ namespace asperity
     warn_of_oil_shear(run, run.period(), parameters, warnings);
     for (const std::string &warning :
          {run.coarse_film(),
+          run.coarser_meshes(),
           run.solid_step().energy().warning(work_on_chip(run) * run.area() /
                                             run.period())})
       if (!warning.empty())

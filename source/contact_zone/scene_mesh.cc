@@ -118,8 +118,12 @@ namespace asperity
       graded_rows(height,
                   way_through(length / n, width / n_across),
                   mesh.grading);
+    const double largest =
+      largest_number_of_elements<dim>(mesh, n * n_across, rows);
     choose_solver(parameters,
-                  largest_number_of_elements<dim>(mesh, n * n_across, rows));
+                  mesh.is_bounded() ?
+                    std::min<double>(largest, 1. * mesh.most_unknowns / dim) :
+                    largest);
     std::array<KnotVector, dim> knots;
     knots[0] = periodic_knots(mesh, length, n);
     knots[dim - 1] =
@@ -132,6 +136,16 @@ namespace asperity
         level, [&](const Point<dim> &, const Point<dim> &upper) {
           return is_in_strip(mesh, level, height - upper[dim - 1]);
         });
+    if (mesh.is_bounded() && n_dofs() > mesh.most_unknowns)
+      throw InputError("Entry 'Mesh/Most unknowns': found " +
+                       std::to_string(mesh.most_unknowns) + ", but the " +
+                       std::to_string(mesh.n_even_levels()) +
+                       " levels that are along the whole contact edge have " +
+                       std::to_string(n_dofs()) +
+                       " unknowns; expected at least as many, or 0 for no "
+                       "bound, or more Adaptive levels.");
+    if (mesh.adaptive_levels > 0)
+      suit_solver(parameters);
     if (parameters.chip.kind == SurfaceKind::flat)
       return;
     // The offset of the chip's top decays into the depth, so that the coarse
@@ -148,25 +162,33 @@ namespace asperity
 
 
   template <int dim>
-  bool
-  Scene<dim>::adapt_mesh(const SceneParameters                      &parameters,
-                         const typename SplineSpace<dim>::CellLevel &wanted)
+  AdaptedMesh
+  Scene<dim>::adapt_mesh(
+    const SceneParameters                                   &parameters,
+    const std::vector<typename SplineSpace<dim>::CellLevel> &wanted)
   {
     Assert(geometry.offset.empty() && !lubricant && !heat,
            dealii::ExcNotImplemented());
-    const auto before = space->hierarchy();
-    space->adapt(wanted);
-    if (space->n_cells() == before->n_cells() &&
-        is_refinement(*before, *space->hierarchy()))
-      return false;
+    const auto         before = space->hierarchy();
+    const unsigned int most   = parameters.mesh.most_unknowns;
+    AdaptedMesh        mesh;
+    space->adapt(wanted.front());
+    while (most > 0 && n_dofs() > most && mesh.number + 1 < wanted.size())
+      space->adapt(wanted[++mesh.number]);
+    mesh.has_changed = space->n_cells() != before->n_cells() ||
+                       !is_refinement(*before, *space->hierarchy());
+    if (!mesh.has_changed)
+      return mesh;
     const EquilibriumCost cost = equilibrium->cost();
+    suit_solver(parameters);
+    build_share(parameters);
     build_chip(parameters);
     build_contact(parameters);
     build_boundaries();
     build_equilibrium();
     equilibrium->add_cost(cost);
     initial_unknowns_.reinit(n_unknowns());
-    return true;
+    return mesh;
   }
 
 
@@ -175,7 +197,10 @@ namespace asperity
   Scene<2>::build_mesh(const SceneParameters &);
   template void
   Scene<3>::build_mesh(const SceneParameters &);
-  template bool
+  template AdaptedMesh
   Scene<2>::adapt_mesh(const SceneParameters &,
-                       const SplineSpace<2>::CellLevel &);
+                       const std::vector<SplineSpace<2>::CellLevel> &);
+  template AdaptedMesh
+  Scene<3>::adapt_mesh(const SceneParameters &,
+                       const std::vector<SplineSpace<3>::CellLevel> &);
 } // namespace asperity

@@ -191,6 +191,8 @@ namespace asperity
               {"drift_of_plastic_work", report.work_drift()},
               {"excess_of_plastic_strain", report.strain_excess},
               {"most_unknowns", report.most_unknowns},
+              {"bounded", report.bounded},
+              {"missing_levels", report.missing_levels},
               {"mean_unknowns", run.mean_unknowns()}};
       return summary;
     }

@@ -113,6 +113,20 @@ namespace asperity
                         Range::between(1e-10, 1e-2),
                         "Sliding distance ahead for which a mesh with Adaptive "
                         "levels is refined when it changes.");
+    parameters.integer("Adaptive halo",
+                       halo,
+                       Range::between(1, 1000),
+                       "Cells of each of the Adaptive levels on each side of "
+                       "what touches, when the mesh changes; it does so when "
+                       "0.6 of them are left. `automatic`: 10, of a patch "
+                       "(Dimension = 3) 5.");
+    parameters.integer("Most unknowns",
+                       most_unknowns,
+                       Range::between(0, 100000000),
+                       "Of a mesh with Adaptive levels: where contacts want "
+                       "more, fewer cells beside them are fine, and at last "
+                       "the finest levels are left out; a warning says so. 0: "
+                       "no bound.");
     parameters.quantity("Strip depth",
                         strip,
                         "um",

@@ -148,9 +148,13 @@ namespace asperity
       linear_solver_ = DirectSolverKind::mumps_symmetric;
     if (fits(linear_solver_))
       return;
-    const std::string remedy = fits(DirectSolverKind::krylov) ?
-                                 "Solver/Linear solver = krylov, fewer Spans" :
-                                 "fewer Spans";
+    const std::string remedy =
+      std::string(fits(DirectSolverKind::krylov) ?
+                    "Solver/Linear solver = krylov, " :
+                    "") +
+      (parameters.mesh.adaptive_levels > 0 ? "a bound by Most unknowns, " :
+                                             "") +
+      "fewer Spans";
     throw InputError(
       "Mesh: these entries make a mesh of about " +
       format_quantity(n_elements, "1", 2) + " elements, which takes about " +
@@ -160,6 +164,21 @@ namespace asperity
       ": " + remedy +
       " or Spans across, a larger Row grading, a smaller Strip depth, or a "
       "smaller Chip height.");
+  }
+
+
+
+  template <int dim>
+  void
+  Scene<dim>::suit_solver(const SceneParameters &parameters)
+  {
+    if (dim == 2 ||
+        parameters.solver.linear_solver != DirectSolverKind::automatic)
+      return;
+    linear_solver_ =
+      n_unknowns() >= fewest_unknowns_of_krylov ? DirectSolverKind::krylov :
+      share_.ranks.are_several() ? DirectSolverKind::mumps_symmetric :
+                                   DirectSolverKind::cholmod;
   }
 
 
@@ -288,6 +307,10 @@ namespace asperity
   Scene<2>::build_equilibrium();
   template void
   Scene<3>::build_equilibrium();
+  template void
+  Scene<2>::suit_solver(const SceneParameters &);
+  template void
+  Scene<3>::suit_solver(const SceneParameters &);
   template void
   Scene<2>::build_share(const SceneParameters &);
   template void

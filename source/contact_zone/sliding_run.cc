@@ -34,10 +34,9 @@ namespace asperity
           std::optional(parameters.protocol.spectral_radius) :
           std::nullopt))
   {
-    if constexpr (dim == 2)
-      if (parameters.mesh.adaptive_levels > 0)
-        adaptation =
-          std::make_unique<MeshAdaptation>(parameters, scene, protocol_);
+    if (parameters.mesh.adaptive_levels > 0)
+      adaptation =
+        std::make_unique<MeshAdaptation<dim>>(parameters, scene, protocol_);
     state_.u = state_.u_previous = scene.initial_unknowns();
     state_.coverage.assign(scene.contact->table().JxW.size(),
                            scene.lubricant ? scene.oil.part_at_start : 0.);
@@ -78,9 +77,8 @@ namespace asperity
                    scene.chip->history()};
         take_step(
           proposed_step(protocol_.next_time(state_.time) - state_.time));
-        if constexpr (dim == 2)
-          if (adaptation)
-            adapt_mesh(start);
+        if (adaptation)
+          adapt_mesh(start);
         record(timer.wall_time());
         observer(*this);
       }

@@ -14,27 +14,31 @@ namespace asperity
 
   namespace
   {
+    template <int dim>
     Vector
-    moved(const SpaceTransfer<2> &transfer, const Vector &u)
+    moved(const SpaceTransfer<dim> &transfer, const Vector &u)
     {
       const std::vector<double> coefficients =
-        transfer.apply(std::vector<double>(u.begin(), u.end()), 2);
+        transfer.apply(std::vector<double>(u.begin(), u.end()), dim);
       return Vector(coefficients.begin(), coefficients.end());
     }
 
     /** Where closest points may lie: above those of the edge. */
-    std::vector<dealii::Point<1>>
-    hints(const BasisTable<2> &edge, const Vector &u)
+    template <int dim>
+    std::vector<dealii::Point<dim - 1>>
+    hints(const BasisTable<dim> &edge, const Vector &u)
     {
-      std::vector<dealii::Point<1>> x;
+      std::vector<dealii::Point<dim - 1>> x;
       for (const auto &entry : edge.elements)
         {
-          const ElementView<2> element(edge, entry);
+          const ElementView<dim> element(edge, entry);
           for (unsigned int q = 0; q < edge.points_per_element; ++q)
             {
-              dealii::Point<2> point = edge.position[element.point(q)];
+              dealii::Point<dim> point = edge.position[element.point(q)];
               element.add_displacement(q, u, point);
-              x.emplace_back(point[0]);
+              x.emplace_back();
+              for (unsigned int k = 0; k < dim - 1; ++k)
+                x.back()[k] = point[k];
             }
         }
       return x;
@@ -60,21 +64,21 @@ namespace asperity
 
 
 
-  template <>
+  template <int dim>
   double
-  SlidingRun<2>::present_friction() const
+  SlidingRun<dim>::present_friction() const
   {
-    const ContactState<2> contact = scene.contact->state();
-    return friction_coefficient(contact.force[0],
-                                contact.force[1],
+    const LineLoad force = per_width(scene.contact->state().force);
+    return friction_coefficient(force.along,
+                                force.up,
                                 protocol_.direction(state_.time));
   }
 
 
 
-  template <>
+  template <int dim>
   void
-  SlidingRun<2>::adapt_mesh(const StepStart &start)
+  SlidingRun<dim>::adapt_mesh(const StepStart &start)
   {
     const double time = state_.time, dt = state_.dt_previous;
     const double mu = present_friction(), gap = scene.contact->state().mean_gap;
@@ -86,13 +90,20 @@ namespace asperity
     const auto   before = scene.space->hierarchy();
     const double work =
       plastic_work(*scene.chip, start.history, parameters.load);
-    const auto F = scene.chip->deformation(state_.u_previous);
-    if (!scene.adapt_mesh(parameters, adaptation->wanted(time, approach)))
+    const auto        F = scene.chip->deformation(state_.u_previous);
+    const AdaptedMesh mesh =
+      scene.adapt_mesh(parameters, adaptation->wanted(time, approach));
+    adaptation->set_taken(mesh.number);
+    RemeshReport &report = state_.remeshing;
+    report.missing_levels =
+      std::max(report.missing_levels, adaptation->missing_levels(mesh.number));
+    if (!mesh.has_changed)
       return;
     go_back(start, *before, F);
 
-    RemeshReport &report = state_.remeshing;
     ++report.remeshes;
+    if (mesh.number > 0)
+      ++report.bounded;
     report.plastic_work = work;
     report.work_change +=
       plastic_work(*scene.chip, scene.chip->history(), parameters.load) - work;
@@ -110,23 +121,23 @@ namespace asperity
 
 
 
-  template <>
+  template <int dim>
   void
-  SlidingRun<2>::go_back(const StepStart                         &start,
-                         const SplineHierarchy<2>                &before,
-                         const std::vector<dealii::Tensor<2, 3>> &F)
+  SlidingRun<dim>::go_back(const StepStart                         &start,
+                           const SplineHierarchy<dim>              &before,
+                           const std::vector<dealii::Tensor<2, 3>> &F)
   {
-    const SplineHierarchy<2> &after = *scene.space->hierarchy();
-    const SpaceTransfer<2>    transfer(before, after);
+    const SplineHierarchy<dim> &after = *scene.space->hierarchy();
+    const SpaceTransfer<dim>    transfer(before, after);
     first_guess = moved(transfer, state_.u);
     state_.u    = moved(transfer, state_.u_previous);
-    scene.chip->set_history(
-      transfer_states(before,
-                      after,
-                      dealii::QGauss<2>(parameters.mesh.n_quadrature_points()),
-                      start.history,
-                      F,
-                      scene.chip->deformation(state_.u)));
+    scene.chip->set_history(transfer_states(
+      before,
+      after,
+      dealii::QGauss<dim>(parameters.mesh.n_quadrature_points()),
+      start.history,
+      F,
+      scene.chip->deformation(state_.u)));
     state_.u_previous  = moved(transfer, start.u_previous);
     state_.dt_previous = start.dt_previous;
     state_.time        = start.time;
@@ -138,4 +149,24 @@ namespace asperity
                                        state_.u,
                                        std::nullopt);
   }
+
+
+
+  // Of the members that are defined here.
+  template double
+  SlidingRun<2>::present_friction() const;
+  template double
+  SlidingRun<3>::present_friction() const;
+  template void
+  SlidingRun<2>::adapt_mesh(const StepStart &);
+  template void
+  SlidingRun<3>::adapt_mesh(const StepStart &);
+  template void
+  SlidingRun<2>::go_back(const StepStart &,
+                         const SplineHierarchy<2> &,
+                         const std::vector<dealii::Tensor<2, 3>> &);
+  template void
+  SlidingRun<3>::go_back(const StepStart &,
+                         const SplineHierarchy<3> &,
+                         const std::vector<dealii::Tensor<2, 3>> &);
 } // namespace asperity

@@ -130,6 +130,26 @@ namespace asperity
 
   template <int dim>
   std::string
+  SlidingRun<dim>::coarser_meshes() const
+  {
+    const RemeshReport &report = state_.remeshing;
+    if (report.bounded == 0 && report.missing_levels == 0)
+      return "";
+    return "The contacts want finer meshes than the " +
+           std::to_string(parameters.mesh.most_unknowns) +
+           " unknowns of Mesh/Most unknowns make: " +
+           std::to_string(report.bounded) + " of " +
+           std::to_string(report.remeshes) +
+           " changes took a coarser one, without up to " +
+           std::to_string(report.missing_levels) + " of the " +
+           std::to_string(parameters.mesh.adaptive_levels) +
+           " Adaptive levels.";
+  }
+
+
+
+  template <int dim>
+  std::string
   SlidingRun<dim>::coarse_film() const
   {
     const auto *film = dynamic_cast<const FilmTerm *>(scene.lubricant.get());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace asperity
@@ -109,10 +110,23 @@ namespace asperity
                                   const BasisTable<dim> &edge)
     : columns(columns_under(body, edge))
   {
+    if (!place_on_grid(body, edge))
+      place_in_cells(body, edge);
+    for (const Column &column : columns)
+      area.push_back(body.JxW[column.top]);
+  }
+
+
+
+  template <int dim>
+  bool
+  SurfaceLayer<dim>::place_on_grid(const BasisTable<dim> &body,
+                                   const BasisTable<dim> &edge)
+  {
     const auto parameter_of = [&](const Column &column) {
       return body.parameter[column.top];
     };
-    // Of the columns, which are a grid, along each parameter of the edge.
+    // Of the columns, along each parameter of the edge.
     std::array<PeriodicCoordinates, dim - 1> along;
     for (unsigned int d = 0; d < dim - 1; ++d)
       {
@@ -121,6 +135,11 @@ namespace asperity
           values.push_back(parameter_of(column)[d]);
         along[d] = PeriodicCoordinates(values);
       }
+    unsigned int n_grid = 1;
+    for (const PeriodicCoordinates &coordinates : along)
+      n_grid *= coordinates.size();
+    if (n_grid != columns.size())
+      return false;
     const auto number = [&](const Column &column) {
       unsigned int n = 0;
       for (unsigned int d = dim - 1; d-- > 0;)
@@ -132,8 +151,6 @@ namespace asperity
               [&](const Column &a, const Column &b) {
                 return number(a) < number(b);
               });
-    for (const Column &column : columns)
-      area.push_back(body.JxW[column.top]);
     for (const auto &parameter : edge.parameter)
       {
         Place place;
@@ -153,6 +170,59 @@ namespace asperity
           }
         places.push_back(place);
       }
+    return true;
+  }
+
+
+
+  template <int dim>
+  void
+  SurfaceLayer<dim>::place_in_cells(const BasisTable<dim> &body,
+                                    const BasisTable<dim> &edge)
+  {
+    const unsigned int n = points_a_direction(body);
+    // In the order of columns_under().
+    std::map<unsigned int, unsigned int> first_column;
+    for (const auto &element : edge.elements)
+      first_column[element.cell] = 0;
+    unsigned int n_columns = 0;
+    for (auto &cell : first_column)
+      {
+        cell.second = n_columns;
+        n_columns += body.points_per_element / n;
+      }
+    for (const auto &element : edge.elements)
+      for (unsigned int q = 0; q < edge.points_per_element; ++q)
+        {
+          const auto parameter = edge.parameter[element.first_point + q];
+          Place      place;
+          place.column.fill(first_column[element.cell]);
+          place.weight.fill(1.);
+          unsigned int stride = 1;
+          for (unsigned int d = 0; d < dim - 1; ++d, stride *= n)
+            {
+              const auto at = [&](const unsigned int i) {
+                const Column &column =
+                  columns[first_column[element.cell] + i * stride];
+                return body.parameter[column.top][d];
+              };
+              unsigned int before = 0;
+              while (before + 2 < n && at(before + 1) < parameter[d])
+                ++before;
+              const double after =
+                std::min(std::max((parameter[d] - at(before)) /
+                                    (at(before + 1) - at(before)),
+                                  0.),
+                         1.);
+              for (unsigned int i = 0; i < place.column.size(); ++i)
+                {
+                  const bool is_after = (i >> d) % 2 == 1;
+                  place.column[i] += (before + (is_after ? 1 : 0)) * stride;
+                  place.weight[i] *= is_after ? after : 1. - after;
+                }
+            }
+          places.push_back(place);
+        }
   }
 
 

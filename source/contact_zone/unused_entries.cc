@@ -104,7 +104,7 @@ namespace asperity
         {{"Mesh/Strip depth"},
          "Refinement levels",
          [](const SceneParameters &p) { return p.mesh.refinement > 0; }},
-        {{"Mesh/Remesh distance"},
+        {{"Mesh/Remesh distance", "Mesh/Adaptive halo", "Mesh/Most unknowns"},
          "Adaptive levels",
          [](const SceneParameters &p) { return p.mesh.adaptive_levels > 0; }},
         {{"Output/Checkpoint interval"},

@@ -269,11 +269,12 @@ namespace asperity
 
 
 
+  template <int dim>
   std::vector<double>
-  coarsening_loss(const SplineHierarchy<2>    &hierarchy,
-                  const dealii::Quadrature<2> &quadrature,
-                  const std::vector<double>   &values,
-                  const unsigned int           fit_degree)
+  coarsening_loss(const SplineHierarchy<dim>    &hierarchy,
+                  const dealii::Quadrature<dim> &quadrature,
+                  const std::vector<double>     &values,
+                  const unsigned int             fit_degree)
   {
     const unsigned int  degree = degree_of_fit(quadrature, fit_degree);
     std::vector<double> loss(hierarchy.n_cells(), 0.);
@@ -286,7 +287,7 @@ namespace asperity
         if (node.cell >= 0 ||
             !std::all_of(node.children.begin(), node.children.end(), is_active))
           continue;
-        Points<2> points;
+        Points<dim> points;
         collect(hierarchy, node.index, n, quadrature, points);
         const auto fit     = fit_operator(degree, points, points);
         double     squares = 0.;
@@ -321,4 +322,14 @@ namespace asperity
                    const unsigned int,
                    const unsigned int,
                    const HistoryRange);
+  template std::vector<double>
+  coarsening_loss(const SplineHierarchy<2> &,
+                  const dealii::Quadrature<2> &,
+                  const std::vector<double> &,
+                  const unsigned int);
+  template std::vector<double>
+  coarsening_loss(const SplineHierarchy<3> &,
+                  const dealii::Quadrature<3> &,
+                  const std::vector<double> &,
+                  const unsigned int);
 } // namespace asperity

@@ -2,6 +2,8 @@
 #include <asperity/isogeometric/l2_projection.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/precondition.h>
+#include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/sparsity_pattern.h>
 
@@ -10,6 +12,16 @@
 
 namespace asperity
 {
+  namespace
+  {
+    /** Of conjugate gradients: some 100 are needed, to the residual at which
+     *  rounding begins. */
+    constexpr unsigned int most_iterations = 2000;
+    constexpr double       rounding        = 1e-14;
+  } // namespace
+
+
+
   template <int dim>
   std::vector<unsigned int>
   edge_bernstein(const unsigned int degree, const Edge edge)
@@ -205,20 +217,22 @@ namespace asperity
   L2Projection<dim>::L2Projection(const SplineHierarchy<dim> &hierarchy,
                                   const double                edge_weight)
   {
-    dealii::DynamicSparsityPattern pattern(hierarchy.n_functions());
+    dealii::DynamicSparsityPattern couplings(hierarchy.n_functions());
     for (unsigned int cell = 0; cell < hierarchy.n_cells(); ++cell)
       for (const unsigned int a : hierarchy.cell_functions(cell))
         for (const unsigned int b : hierarchy.cell_functions(cell))
-          pattern.add(a, b);
-    dealii::SparsityPattern sparsity;
-    sparsity.copy_from(pattern);
-    dealii::SparseMatrix<double> matrix(sparsity);
+          couplings.add(a, b);
+    pattern.copy_from(couplings);
+    matrix.reinit(pattern);
     assemble(hierarchy,
              edge_weight,
              [&](const unsigned int i, const unsigned int j, const double v) {
                matrix.add(i, j, v);
              });
+    if (dim == 3)
+      return;
     factorization.initialize(matrix);
+    matrix.clear();
   }
 
 
@@ -243,7 +257,19 @@ namespace asperity
   void
   L2Projection<dim>::solve(dealii::Vector<double> &right_hand_side) const
   {
-    factorization.solve(right_hand_side);
+    if (dim == 2)
+      {
+        factorization.solve(right_hand_side);
+        return;
+      }
+    dealii::PreconditionJacobi<dealii::SparseMatrix<double>> diagonal;
+    diagonal.initialize(matrix);
+    dealii::SolverControl                    control(most_iterations,
+                                  rounding * right_hand_side.l2_norm());
+    dealii::SolverCG<dealii::Vector<double>> solver(control);
+    dealii::Vector<double>                   x(right_hand_side.size());
+    solver.solve(matrix, x, right_hand_side, diagonal);
+    right_hand_side = x;
   }
 
 

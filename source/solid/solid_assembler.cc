@@ -300,6 +300,7 @@ namespace asperity
                   of_element.end(),
                   F.begin() + table_.elements[e].first_point);
       }
+    share.ranks.share(share.owner, F);
     return F;
   }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace asperity
 {
@@ -13,7 +14,18 @@ namespace asperity
     using dealii::Tensor;
     using Symmetric = dealii::SymmetricTensor<2, 3>;
 
-    constexpr unsigned int n_scalars = 2, n_strains = 4;
+    constexpr unsigned int n_scalars = 2;
+
+    /** Components of a strain that do not vanish, in the order in which they go
+     *  over: those of plane and axisymmetric kinematics come first. */
+    constexpr std::pair<unsigned int, unsigned int> components[] =
+      {{0, 0}, {1, 1}, {0, 1}, {2, 2}, {0, 2}, {1, 2}};
+
+    constexpr unsigned int
+    n_strains(const unsigned int dim)
+    {
+      return dim == 2 ? 4 : 6;
+    }
 
     /** Below it a change of F is rounding. */
     constexpr double smallest_change = 1e-12;
@@ -75,30 +87,31 @@ namespace asperity
     /** Twice the logarithmic elastic strain of each point. */
     std::vector<double>
     elastic_strains(const std::vector<MaterialState> &states,
-                    const std::vector<Tensor<2, 3>>  &F)
+                    const std::vector<Tensor<2, 3>>  &F,
+                    const unsigned int                n)
     {
       std::vector<double> strains;
-      strains.reserve(n_strains * states.size());
+      strains.reserve(n * states.size());
       for (std::size_t q = 0; q < states.size(); ++q)
         {
           const Symmetric log =
             of_eigenvalues(push_forward(F[q], states[q].Cp_inverse),
                            [](const double b) { return std::log(b); });
-          strains.insert(strains.end(),
-                         {log[0][0], log[1][1], log[0][1], log[2][2]});
+          for (unsigned int k = 0; k < n; ++k)
+            strains.push_back(log[components[k].first][components[k].second]);
         }
       return strains;
     }
 
     /** C_p^{-1} of a point from its elastic strain, as above, and its F. */
     Symmetric
-    Cp_inverse(const double *strain, const Tensor<2, 3> &F)
+    Cp_inverse(const double       *strain,
+               const unsigned int  n,
+               const Tensor<2, 3> &F)
     {
       Symmetric log;
-      log[0][0] = strain[0];
-      log[1][1] = strain[1];
-      log[0][1] = strain[2];
-      log[2][2] = strain[3];
+      for (unsigned int k = 0; k < n; ++k)
+        log[components[k].first][components[k].second] = strain[k];
       return push_forward(invert(F), of_eigenvalues(log, [](const double x) {
                             return std::exp(x);
                           }));
@@ -107,15 +120,17 @@ namespace asperity
 
 
 
+  template <int dim>
   std::vector<MaterialState>
-  transfer_states(const SplineHierarchy<2>         &from,
-                  const SplineHierarchy<2>         &to,
-                  const dealii::Quadrature<2>      &quadrature,
+  transfer_states(const SplineHierarchy<dim>       &from,
+                  const SplineHierarchy<dim>       &to,
+                  const dealii::Quadrature<dim>    &quadrature,
                   const std::vector<MaterialState> &states,
                   const std::vector<Tensor<2, 3>>  &F_before,
                   const std::vector<Tensor<2, 3>>  &F_after)
   {
-    const unsigned int n_q = quadrature.size();
+    const unsigned int     n_q = quadrature.size();
+    constexpr unsigned int n   = n_strains(dim);
     AssertDimension(F_before.size(), states.size());
     AssertDimension(F_after.size(), to.n_cells() * n_q);
     const auto transferred = [&](const std::vector<double> &values,
@@ -127,9 +142,7 @@ namespace asperity
     const std::vector<double> scalars =
       transferred(scalars_of(states), n_scalars, HistoryRange::body);
     const std::vector<double> strains =
-      transferred(elastic_strains(states, F_before),
-                  n_strains,
-                  HistoryRange::none);
+      transferred(elastic_strains(states, F_before, n), n, HistoryRange::none);
     // Where nothing has yielded the elastic strain is that of F.
     std::vector<double> yielded;
     for (const MaterialState &state : states)
@@ -139,8 +152,8 @@ namespace asperity
     std::vector<MaterialState> result(F_after.size());
     for (std::size_t q = 0; q < result.size(); ++q)
       {
-        const CellIndex<2> &index = to.cell_index(q / n_q);
-        const int           old   = from.nodes()[from.find_node(index)].cell;
+        const CellIndex<dim> &index = to.cell_index(q / n_q);
+        const int             old   = from.nodes()[from.find_node(index)].cell;
         if (old >= 0 && from.cell_index(old) == index)
           {
             const std::size_t same = old * n_q + q % n_q;
@@ -150,9 +163,25 @@ namespace asperity
         result[q].plastic_strain = scalars[n_scalars * q];
         result[q].temperature    = scalars[n_scalars * q + 1];
         if (yielded[q] > 0.)
-          result[q].Cp_inverse =
-            Cp_inverse(&strains[n_strains * q], F_after[q]);
+          result[q].Cp_inverse = Cp_inverse(&strains[n * q], n, F_after[q]);
       }
     return result;
   }
+
+
+
+  template std::vector<MaterialState>
+  transfer_states(const SplineHierarchy<2> &,
+                  const SplineHierarchy<2> &,
+                  const dealii::Quadrature<2> &,
+                  const std::vector<MaterialState> &,
+                  const std::vector<Tensor<2, 3>> &,
+                  const std::vector<Tensor<2, 3>> &);
+  template std::vector<MaterialState>
+  transfer_states(const SplineHierarchy<3> &,
+                  const SplineHierarchy<3> &,
+                  const dealii::Quadrature<3> &,
+                  const std::vector<MaterialState> &,
+                  const std::vector<Tensor<2, 3>> &,
+                  const std::vector<Tensor<2, 3>> &);
 } // namespace asperity

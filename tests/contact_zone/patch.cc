@@ -234,8 +234,6 @@ TEST(Patch, says_what_three_dimensions_do_not_have)
   for (const std::string model : {"Reynolds", "Stokes", "Navier-Stokes"})
     expect_said(refusal(section("Lubrication", "Model = " + model)),
                 "found 3 with the lubricant model `" + model + "`, whose f");
-  expect_said(refusal(section("Mesh", "Adaptive levels = 1")),
-              "found 3 with a mesh that changes");
   expect_said(refusal(section("Accuracy", "Control = adaptive")),
               "found 3 with settings that are chosen by the error of mu");
 }
@@ -260,6 +258,24 @@ TEST(Patch, says_which_entries_do_not_make_a_patch)
               "found automatic without refinement levels, of which no");
   expect_said(refusal(section("Load", "Sliding direction = 90 deg"), "2"),
               "Load/Sliding direction': found 90 deg in two dimensions");
+}
+
+
+
+TEST(Patch, says_which_meshes_cannot_follow_its_contacts)
+{
+  const std::string levels = section("Mesh", "Adaptive levels = 3");
+  expect_said(refusal(levels + section("Lubrication", "Model = pocket")),
+              "Mesh/Adaptive levels': found 3 with a lubricant");
+  expect_said(refusal(levels + section("Interface", "Shear law = Coulomb")),
+              "found 3 with an interface that bears shear");
+  // 20 x 20 columns of splines of degree 2
+  const std::string bound =
+    refusal(levels + section("Mesh", "Most unknowns = 100"));
+  expect_said(bound,
+              "Mesh/Most unknowns': found 100, but the 0 levels that are along "
+              "the whole contact edge have ");
+  expect_said(bound, "expected at least as many, or 0");
 }
 
 

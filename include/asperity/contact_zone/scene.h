@@ -26,6 +26,13 @@ namespace asperity
   template <int dim>
   using SurfaceOf = std::conditional_t<dim == 2, Surface, SheetSurface>;
 
+  /** Which of several wanted meshes has been taken. */
+  struct AdaptedMesh
+  {
+    unsigned int number      = 0;
+    bool         has_changed = false; ///< against the mesh before
+  };
+
   /**
    * The bodies of a contact scene: an isogeometric chip block, periodic in
    * x (and in three dimensions in y), below a rigid periodic tool. Lengths in
@@ -112,14 +119,16 @@ namespace asperity
     area() const;
 
     /**
-     * Refines and coarsens the chip, and builds anew what stands on its mesh:
-     * chip and contact as at the start, and the balance, with the cost so far.
-     * Of a dry scene with a flat chip that conducts no heat.
-     * @return whether the mesh has changed
+     * Refines and coarsens the chip, divides its cells anew between the ranks,
+     * and builds what stands on its mesh: chip and contact as at the start, and
+     * the balance, with the cost so far. Of a dry scene with a flat chip that
+     * conducts no heat. Collective.
+     * @param wanted meshes, of which the first is taken that has not more than
+     *   Mesh/Most unknowns
      */
-    bool
-    adapt_mesh(const SceneParameters                      &parameters,
-               const typename SplineSpace<dim>::CellLevel &wanted);
+    AdaptedMesh
+    adapt_mesh(const SceneParameters &parameters,
+               const std::vector<typename SplineSpace<dim>::CellLevel> &wanted);
 
     /** The solver of the tangent: that of the parameters, or for `automatic`
      * the one that suits the size. */
@@ -210,6 +219,11 @@ namespace asperity
      *    that all of it takes is not there */
     void
     choose_solver(const SceneParameters &parameters, const double n_elements);
+
+    /** Of `automatic`, the solver of the mesh that is there instead of that
+     *  of the largest one. */
+    void
+    suit_solver(const SceneParameters &parameters);
 
     /** Divides the cells between the ranks. */
     void

@@ -123,6 +123,11 @@ namespace asperity
     unsigned int adaptive_levels = 0;
     double       remesh_distance = 0.1e-6;
 
+    std::optional<unsigned int> halo; ///< cells of each beside what touches
+
+    /** Of a mesh with such levels; 0: no bound. */
+    unsigned int most_unknowns = 0;
+
     void
     declare(ParameterDeclarator &parameters);
 
@@ -149,6 +154,10 @@ namespace asperity
     /** Levels of refinement along the whole edge. */
     unsigned int
     n_even_levels() const;
+
+    /** Whether the number of unknowns of a mesh that changes is. */
+    bool
+    is_bounded() const;
 
     /** Whether there is a mesh of half as many spans. */
     bool

@@ -119,6 +119,11 @@ namespace asperity
     std::string
     excess_shear() const;
 
+    /** A sentence if Mesh/Most unknowns has made meshes coarser than wanted; or
+     *  empty. */
+    std::string
+    coarser_meshes() const;
+
     /** A sentence if the cells of the oil film are too long for its pressure,
      *  at the last accepted step; or empty. */
     std::string
@@ -265,24 +270,11 @@ namespace asperity
 
     /** Null unless the mesh changes; and the end of a step on another mesh,
      *  where the next first guess is. */
-    std::unique_ptr<MeshAdaptation>       adaptation;
+    std::unique_ptr<MeshAdaptation<dim>>  adaptation;
     std::optional<dealii::Vector<double>> first_guess;
 
     std::unique_ptr<LubricatedStep> lubricated_step_;
   };
-
-  // The mesh changes in two dimensions only.
-  template <>
-  double
-  SlidingRun<2>::present_friction() const;
-  template <>
-  void
-  SlidingRun<2>::adapt_mesh(const StepStart &start);
-  template <>
-  void
-  SlidingRun<2>::go_back(const StepStart                         &start,
-                         const SplineHierarchy<2>                &before,
-                         const std::vector<dealii::Tensor<2, 3>> &F);
 } // namespace asperity
 
 #endif

@@ -18,8 +18,7 @@ namespace asperity
   {
   public:
     /** @param body table of its cells, periodic along the edge
-     *  @param edge table of its top edge, of the same space, whose elements are
-     *  a grid */
+     *  @param edge table of its top edge, of the same space */
     SurfaceLayer(const BasisTable<dim> &body, const BasisTable<dim> &edge);
 
     /** What the edge sees of the body. */
@@ -30,7 +29,9 @@ namespace asperity
     };
 
     /** One for each point of the edge; a strain is not negative. Linear along
-     *  the edge between the material points, in three dimensions bilinear. */
+     *  the edge between the material points, in three dimensions bilinear;
+     * where the elements of a face are no grid, only between those of an
+     * element, and constant beyond them. */
     std::vector<Point>
     at_edge(const std::vector<MaterialState> &history) const;
 
@@ -48,6 +49,14 @@ namespace asperity
 
     static std::vector<Column>
     columns_under(const BasisTable<dim> &body, const BasisTable<dim> &edge);
+
+    /** @return whether the columns are a grid */
+    bool
+    place_on_grid(const BasisTable<dim> &body, const BasisTable<dim> &edge);
+
+    /** Between the columns of each cell. */
+    void
+    place_in_cells(const BasisTable<dim> &body, const BasisTable<dim> &edge);
 
     Point
     at_top(const std::vector<MaterialState> &history,

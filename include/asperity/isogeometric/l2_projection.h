@@ -6,6 +6,8 @@
 
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/sparse_direct.h>
+#include <deal.II/lac/sparse_matrix.h>
+#include <deal.II/lac/sparsity_pattern.h>
 #include <deal.II/lac/vector.h>
 
 #include <vector>
@@ -44,9 +46,12 @@ namespace asperity
   bernstein_gramian(const unsigned int degree);
 
   /**
-   * The L2 projection in the parameters, factorised once. An edge term, the
-   * cell's width normal to the edge times the L2 product on the edge, may be
-   * added.
+   * The L2 projection in the parameters. An edge term, the cell's width normal
+   * to the edge times the L2 product on the edge, may be added.
+   *
+   * In two dimensions the matrix is factorised once. In three, where a factor
+   * fills, conjugate gradients solve with it: scaled by its diagonal it is as
+   * well conditioned on any mesh as on the coarsest.
    */
   template <int dim>
   class L2Projection
@@ -65,7 +70,9 @@ namespace asperity
     solve(dealii::Vector<double> &right_hand_side) const;
 
   private:
-    dealii::SparseDirectUMFPACK factorization;
+    dealii::SparsityPattern      pattern;
+    dealii::SparseMatrix<double> matrix; ///< in three dimensions
+    dealii::SparseDirectUMFPACK  factorization;
   };
 } // namespace asperity
 

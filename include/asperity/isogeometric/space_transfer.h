@@ -133,11 +133,12 @@ namespace asperity
    * @param values [cell * n_q + q]
    * @return one a cell; zero if its parent has other parts than active cells
    */
+  template <int dim>
   std::vector<double>
-  coarsening_loss(const SplineHierarchy<2>    &hierarchy,
-                  const dealii::Quadrature<2> &quadrature,
-                  const std::vector<double>   &values,
-                  const unsigned int           fit_degree = 2);
+  coarsening_loss(const SplineHierarchy<dim>    &hierarchy,
+                  const dealii::Quadrature<dim> &quadrature,
+                  const std::vector<double>     &values,
+                  const unsigned int             fit_degree = 2);
 } // namespace asperity
 
 #endif

@@ -83,8 +83,8 @@ namespace asperity
     void
     set_history(const std::vector<MaterialState> &history);
 
-    /** Deformation gradients at the points of table(); on several ranks those
-     *  of a process's own cells. @param u [m] */
+    /** Deformation gradients at the points of table(); collective. @param u [m]
+     */
     std::vector<dealii::Tensor<2, 3>>
     deformation(const dealii::Vector<double> &u) const;
 

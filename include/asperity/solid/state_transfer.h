@@ -23,15 +23,17 @@ namespace asperity
    * in its volume. Cells of both meshes keep their states bit by bit unless
    * their F has changed; where nothing has yielded C_p stays one.
    *
-   * @param quadrature that of both meshes on the unit square
-   * @param states of plane or axisymmetric kinematics, [cell * n_q + q]
+   * @param quadrature that of both meshes on the unit cell
+   * @param states [cell * n_q + q], in two dimensions of plane or axisymmetric
+   *   kinematics
    * @param F_before, F_after deformation gradients in the same order, in the
    *   old and in the new mesh
    */
+  template <int dim>
   std::vector<MaterialState>
-  transfer_states(const SplineHierarchy<2>                &from,
-                  const SplineHierarchy<2>                &to,
-                  const dealii::Quadrature<2>             &quadrature,
+  transfer_states(const SplineHierarchy<dim>              &from,
+                  const SplineHierarchy<dim>              &to,
+                  const dealii::Quadrature<dim>           &quadrature,
                   const std::vector<MaterialState>        &states,
                   const std::vector<dealii::Tensor<2, 3>> &F_before,
                   const std::vector<dealii::Tensor<2, 3>> &F_after);

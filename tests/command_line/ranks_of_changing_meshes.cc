@@ -1,0 +1,91 @@
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <string>
+
+#include "program.h"
+
+// A patch whose mesh follows its contacts, on one rank and on two.
+
+using namespace asperity;
+
+namespace
+{
+  class RanksOfChangingMeshes : public Program
+  {
+  protected:
+    nlohmann::json
+    summary_of(const std::string &directory,
+               const std::string &launcher,
+               const std::string &of_mesh,
+               const std::string &of_solver = "") const
+    {
+      write(directory + ".prm",
+            "subsection Geometry\n set Dimension = 3\n set Period = 5 um\n"
+            " set Width = 5 um\n set Chip height = 3 um\nend\n"
+            "subsection Tool\n set Kind = harmonics\n"
+            " set Wave numbers = 1, 1\n set Wave numbers across = 1, -1\n"
+            " set Amplitudes = 0.15 um, 0.15 um\n set Phases = 0 rad, 1 rad\n"
+            "end\n"
+            "subsection Mesh\n set Degree = 1\n set Spans = 24\n"
+            " set Refinement levels = 1\n set Adaptive levels = 1\n"
+            " set Row grading = 4\n" +
+              of_mesh +
+              "end\n"
+              "subsection Load\n set Pressure = 100 MPa\nend\n"
+              "subsection Protocol\n set Inertia = quasi-static\n"
+              " set Ramp steps = 1\n set Slide steps = 3\nend\n"
+              "subsection Solver\n set Tolerance = 1e-9\n" +
+              of_solver +
+              "end\n"
+              "subsection Output\n set Picture interval = 0\n"
+              " set Output directory = " +
+              directory + "\nend\n");
+      const Result result = run(directory + ".prm", launcher);
+      EXPECT_EQ(result.status, 0) << result.output << result.errors;
+      return nlohmann::json::parse(read(directory + "/summary.json"));
+    }
+
+    void
+    expect_equal(const nlohmann::json &one, const nlohmann::json &two) const
+    {
+      for (const char *name : {"mu", "mu_end", "T_y"})
+        {
+          const double expected = one["friction"][name];
+          EXPECT_NEAR(two["friction"][name],
+                      expected,
+                      1e-8 * std::abs(expected))
+            << name;
+        }
+      for (const char *name : {"remeshes", "most_unknowns", "bounded"})
+        EXPECT_EQ(two["mesh"]["remeshing"][name],
+                  one["mesh"]["remeshing"][name])
+          << name;
+      EXPECT_EQ(two["cost"]["ranks"], 2);
+    }
+  };
+} // namespace
+
+
+
+TEST_F(RanksOfChangingMeshes, divide_each_mesh_anew_and_find_the_same_friction)
+{
+  const auto one = summary_of("one", "", " set Remesh distance = 0.1 um\n");
+  expect_equal(
+    one, summary_of("two", "mpirun -np 2", " set Remesh distance = 0.1 um\n"));
+  EXPECT_GT(one["mesh"]["remeshing"]["remeshes"], 1);
+  EXPECT_GT(one["end"]["max_plastic_strain"], 1e-3);
+}
+
+
+
+TEST_F(RanksOfChangingMeshes, obey_a_bound_and_solve_by_multigrid)
+{
+  const std::string bound = " set Most unknowns = 1700\n";
+  const auto        one   = summary_of("one", "", bound);
+  expect_equal(
+    one,
+    summary_of("two", "mpirun -np 2", bound, " set Linear solver = krylov\n"));
+  EXPECT_LE(one["mesh"]["remeshing"]["most_unknowns"], 1700);
+  EXPECT_GT(one["mesh"]["remeshing"]["bounded"], 0);
+}
