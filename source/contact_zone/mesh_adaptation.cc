@@ -19,9 +19,10 @@ namespace asperity
      *  are kept where they are. */
     constexpr double smallest_halo = 0.6, halo_kept = 1.2;
 
-    /** Adaptive halo: fewer change mu of a profile by more than 0.1 % as cells
-     *  come (tools/benchmarks), and that of a patch by more than 1 %, where
-     * each costs cells around a spot (parameter_files/surface_patches). */
+    /** Adaptive halo. Fewer change mu of a profile by more than 0.1 % as cells
+     *  come (tools/benchmarks); with 3 instead of 5, each of which costs cells
+     *  all around a spot, a change moves mu of a patch by up to 0.4 instead of
+     *  0.05 % (parameter_files/surface_patches). */
     constexpr unsigned int halo_of_profile = 10, halo_of_patch = 5;
 
     /** Plastic strain, in the root mean square, that a coarsening may lose:

@@ -86,6 +86,19 @@ TEST(MeshAdaptation, that_refines_all_at_once_gives_the_same_steps)
                 1e-7 * everywhere.load());
 }
 
+TEST(MeshAdaptation, has_no_more_unknowns_than_it_may)
+{
+  SceneParameters parameters      = refined_scene();
+  parameters.mesh.adaptive_levels = 2;
+  // Half as many more as the levels along the whole edge have.
+  parameters.mesh.most_unknowns = 3 * Scene<2>(parameters).n_unknowns() / 2;
+  const CompleteRun   run(parameters);
+  const RemeshReport &report = run.run.state().remeshing;
+  EXPECT_LE(report.most_unknowns, parameters.mesh.most_unknowns);
+  EXPECT_GT(report.bounded, 0u);
+  EXPECT_NE(run.run.coarser_meshes(), "");
+}
+
 TEST(MeshAdaptation, refuses_what_would_not_go_over_to_another_mesh)
 {
   const auto message = [](const EntryValues &entries) {

@@ -262,24 +262,6 @@ TEST(Patch, says_which_entries_do_not_make_a_patch)
 
 
 
-TEST(Patch, says_which_meshes_cannot_follow_its_contacts)
-{
-  const std::string levels = section("Mesh", "Adaptive levels = 3");
-  expect_said(refusal(levels + section("Lubrication", "Model = pocket")),
-              "Mesh/Adaptive levels': found 3 with a lubricant");
-  expect_said(refusal(levels + section("Interface", "Shear law = Coulomb")),
-              "found 3 with an interface that bears shear");
-  // 20 x 20 columns of splines of degree 2
-  const std::string bound =
-    refusal(levels + section("Mesh", "Most unknowns = 100"));
-  expect_said(bound,
-              "Mesh/Most unknowns': found 100, but the 0 levels that are along "
-              "the whole contact edge have ");
-  expect_said(bound, "expected at least as many, or 0");
-}
-
-
-
 // Numbers in the panels of a factor, as CHOLMOD's analysis of scenes of hills
 // counts them.
 TEST(Patch, memory_holds_two_factors_as_large_as_counted)

@@ -1,3 +1,8 @@
+#include <asperity/base/errors.h>
+#include <asperity/contact_zone/scene_input.h>
+
+#include <deal.II/base/parameter_handler.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,37 +20,48 @@ namespace
 {
   using PatchRun = CompleteRunIn<3>;
 
-  /** One ridge, one of whose levels is at its contact only. */
+  /** A level of the mesh is at contacts only.
+   *  @param spans of the finest elements */
   SceneParameters
-  ridge()
+  adaptive_scene(const unsigned int spans)
   {
-    SceneParameters parameters      = narrow_scene();
-    parameters.mesh.spans           = 48;
-    parameters.mesh.adaptive_levels = 1;
-    parameters.mesh.degree          = 1;
-    parameters.mesh.grading         = 4.;
-    parameters.mesh.remesh_distance = 0.1e-6;
-    parameters.geometry.width       = 1. / 12. * parameters.geometry.length;
-    parameters.tool.wave_numbers    = {1.};
-    parameters.tool.amplitudes      = {0.15e-6};
-    parameters.tool.phases          = {0.4};
-    parameters.load.pressure        = 100e6;
+    SceneParameters parameters           = narrow_scene();
+    parameters.geometry.height           = 3e-6;
+    parameters.mesh.degree               = 1;
+    parameters.mesh.spans                = spans;
+    parameters.mesh.grading              = 4.;
+    parameters.mesh.adaptive_levels      = 1;
+    parameters.mesh.halo                 = 3;
+    parameters.mesh.remesh_distance      = 0.3e-6;
+    parameters.protocol.sliding_distance = 1.5e-6;
+    parameters.protocol.ramp_fraction    = 0.2;
+    parameters.protocol.slide_steps      = 5;
     return parameters;
   }
 
-  /** Hills over a coarse chip, of which a level is at their contacts only. */
+  /** One ridge across the motion, two coarse elements wide. */
+  SceneParameters
+  ridge()
+  {
+    SceneParameters parameters   = adaptive_scene(32);
+    parameters.geometry.width    = 1. / 8. * parameters.geometry.length;
+    parameters.tool.wave_numbers = {1.};
+    parameters.tool.amplitudes   = {0.15e-6};
+    parameters.tool.phases       = {0.4};
+    return parameters;
+  }
+
+  /** 0.2 um cos(2 pi x/L + 0.4) cos(2 pi y/W) */
   SceneParameters
   hills()
   {
-    SceneParameters parameters      = ridge();
-    parameters.mesh.spans           = 32;
-    parameters.mesh.remesh_distance = 0.2e-6;
-    parameters.geometry.width       = parameters.geometry.length;
-    parameters.tool.wave_numbers    = {1., 1.};
-    parameters.tool.across          = {1., -1.};
-    parameters.tool.amplitudes      = {0.15e-6, 0.15e-6};
-    parameters.tool.phases          = {0.4, 0.4};
-    parameters.tool.spans           = std::nullopt;
+    SceneParameters parameters   = adaptive_scene(16);
+    parameters.geometry.width    = parameters.geometry.length;
+    parameters.tool.wave_numbers = {1., 1.};
+    parameters.tool.across       = {1., -1.};
+    parameters.tool.amplitudes   = {0.1e-6, 0.1e-6};
+    parameters.tool.phases       = {0.4, 0.4};
+    parameters.tool.spans        = std::nullopt; // as fine along x and y
     return parameters;
   }
 } // namespace
@@ -64,11 +80,13 @@ TEST(PatchAdaptation,
   const PatchRun patch(parameters);
   parameters.geometry.dimension = 2;
   const CompleteRun plane(parameters, count);
-  EXPECT_GT(columns.size(), 2u); // the mesh has changed on the way, too
+  EXPECT_GE(columns.size(), 2u); // the mesh has changed on the way, too
   const RemeshReport &a = patch.run.state().remeshing,
                      &b = plane.run.state().remeshing;
   EXPECT_EQ(a.remeshes, b.remeshes);
-  EXPECT_LT(plane.run.mean_unknowns(), 0.8 * 49 * 2 * 4);
+  EXPECT_NEAR(a.change, b.change, 1e-5);
+  EXPECT_NEAR(a.work_drift(), b.work_drift(), 1e-7);
+  EXPECT_GE(b.remeshes, 2u);
   ASSERT_EQ(patch.rows().size(), plane.rows().size());
   for (std::size_t i = 1; i < plane.rows().size(); ++i)
     {
@@ -92,8 +110,8 @@ TEST(PatchAdaptation,
 TEST(PatchAdaptation, that_refines_all_at_once_gives_the_same_steps)
 {
   SceneParameters parameters      = hills();
-  parameters.mesh.spans           = 16;
   parameters.mesh.remesh_distance = parameters.geometry.length;
+  parameters.protocol.slide_steps = 2;
   const PatchRun adaptive(parameters);
   parameters.mesh.adaptive_levels = 0;
   const PatchRun even(parameters);
@@ -113,7 +131,8 @@ TEST(PatchAdaptation, follows_hills_and_loses_no_plastic_work)
   EXPECT_GE(report.remeshes, 2u);
   EXPECT_EQ(report.strain_excess, 0.);
   EXPECT_LE(std::abs(report.work_drift()), 1e-4);
-  EXPECT_LE(report.change, 2e-3);
+  EXPECT_GT(report.change, 0.);
+  EXPECT_LE(report.change, 0.1); // a spot has but three elements
   EXPECT_GT(report.plastic_work, 0.);
   EXPECT_EQ(report.bounded, 0u);
   EXPECT_EQ(adaptive.run.coarser_meshes(), "");
@@ -121,7 +140,7 @@ TEST(PatchAdaptation, follows_hills_and_loses_no_plastic_work)
   const PatchRun even(parameters);
   const double   mu = even.run.friction().mu;
   EXPECT_NEAR(adaptive.run.friction().mu, mu, 0.005 * mu);
-  EXPECT_LT(adaptive.run.mean_unknowns(), 0.9 * even.run.mean_unknowns());
+  EXPECT_LT(adaptive.run.mean_unknowns(), 0.95 * even.run.mean_unknowns());
 }
 
 
@@ -129,17 +148,53 @@ TEST(PatchAdaptation, follows_hills_and_loses_no_plastic_work)
 TEST(PatchAdaptation, has_no_more_unknowns_than_it_may)
 {
   SceneParameters parameters    = hills();
-  parameters.mesh.most_unknowns = 3500;
+  parameters.mesh.most_unknowns = 1300;
   const PatchRun      run(parameters);
   const RemeshReport &report = run.run.state().remeshing;
-  EXPECT_LE(report.most_unknowns, 3500u);
+  EXPECT_LE(report.most_unknowns, 1300u);
   EXPECT_GT(report.bounded, 0u);
   EXPECT_EQ(run.run.coarser_meshes().find(
-              "The contacts want finer meshes than the 3500 unknowns of "
+              "The contacts want finer meshes than the 1300 unknowns of "
               "Mesh/Most unknowns make: "),
             0u);
   for (const FrictionRow &row : run.rows())
     EXPECT_NEAR(row.T_y,
                 -run.run.protocol().pressure(row.time) * run.scene.length,
                 1e-7 * run.load());
+}
+
+
+
+TEST(PatchAdaptation, refuses_what_does_not_go_over_and_a_bound_that_is_too_low)
+{
+  const auto message = [](const EntryValues &entries) -> std::string {
+    dealii::ParameterHandler handler;
+    ParameterDeclarator      declarator(handler);
+    SceneParameters          parameters;
+    parameters.declare(declarator);
+    declarator.set("Geometry/Dimension", "3");
+    declarator.set("Mesh/Adaptive levels", "3");
+    for (const auto &[path, value] : entries)
+      declarator.set(path, value);
+    try
+      {
+        parameters.check(declarator);
+        const Scene<3> scene(parameters);
+      }
+    catch (const InputError &error)
+      {
+        return error.what();
+      }
+    return "nothing";
+  };
+  const std::string found = "entry 'Mesh/Adaptive levels': found 3 with ";
+  EXPECT_EQ(message({{"Lubrication/Model", "pocket"}}),
+            found + "a lubricant; expected 0, or Lubrication/Model = none.");
+  EXPECT_EQ(message({{"Interface/Shear law", "Coulomb"}}),
+            found + "an interface that bears shear; expected 0, or "
+                    "Interface/Shear law = none.");
+  EXPECT_EQ(message({{"Mesh/Most unknowns", "100"}})
+              .find("Entry 'Mesh/Most unknowns': found 100, but the 0 levels "
+                    "that are along the whole contact edge have "),
+            0u);
 }
