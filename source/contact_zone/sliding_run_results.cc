@@ -140,10 +140,12 @@ namespace asperity
            " unknowns of Mesh/Most unknowns make: " +
            std::to_string(report.bounded) + " of " +
            std::to_string(report.remeshes) +
-           " changes took a coarser one, without up to " +
-           std::to_string(report.missing_levels) + " of the " +
-           std::to_string(parameters.mesh.adaptive_levels) +
-           " Adaptive levels.";
+           " changes took a coarser one, with fewer cells beside them" +
+           (report.missing_levels > 0 ?
+              " and without up to " + std::to_string(report.missing_levels) +
+                " of the " + std::to_string(parameters.mesh.adaptive_levels) +
+                " Adaptive levels." :
+              ".");
   }
 
 

@@ -27,15 +27,15 @@ namespace
             " set Wave numbers = 1, 1\n set Wave numbers across = 1, -1\n"
             " set Amplitudes = 0.1 um, 0.1 um\n set Phases = 0 rad, 1 rad\n"
             "end\n"
-            "subsection Mesh\n set Degree = 1\n set Spans = 16\n"
+            "subsection Mesh\n set Degree = 1\n set Spans = 12\n"
             " set Refinement levels = 1\n set Adaptive levels = 1\n"
-            " set Row grading = 4\n set Adaptive halo = 3\n"
-            " set Remesh distance = 0.3 um\n" +
+            " set Row grading = 4\n set Adaptive halo = 1\n"
+            " set Remesh distance = 0.1 um\n" +
               of_mesh +
               "end\n"
               "subsection Protocol\n set Inertia = quasi-static\n"
               " set Sliding distance = 1.5 um\n set Ramp steps = 1\n"
-              " set Slide steps = 4\nend\n"
+              " set Slide steps = 3\nend\n"
               "subsection Solver\n set Tolerance = 1e-10\n" +
               of_solver +
               "end\n"
@@ -81,11 +81,11 @@ TEST_F(RanksOfChangingMeshes, divide_each_mesh_anew_and_find_the_same_friction)
 
 TEST_F(RanksOfChangingMeshes, obey_a_bound_and_solve_by_multigrid)
 {
-  const std::string bound = " set Most unknowns = 1300\n";
+  const std::string bound = " set Most unknowns = 700\n";
   const auto        one   = summary_of("one", "", bound);
   expect_equal(
     one,
     summary_of("two", "mpirun -np 2", bound, " set Linear solver = krylov\n"));
-  EXPECT_LE(one["mesh"]["remeshing"]["most_unknowns"], 1300);
+  EXPECT_LE(one["mesh"]["remeshing"]["most_unknowns"], 700);
   EXPECT_GT(one["mesh"]["remeshing"]["bounded"], 0);
 }
