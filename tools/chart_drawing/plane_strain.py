@@ -6,7 +6,7 @@ import os
 from . import plane_strain_results as results
 from . import plane_strain_surfaces as surfaces
 from . import rough_surfaces as rough
-from .style import BLUE, GREEN, INK, PURPLE, RED, log_axis, panels
+from .style import BLUE, GREEN, GREY, INK, PURPLE, RED, log_axis, panels
 
 TITLE = "Plane strain: what a profile errs against a patch of the surface"
 # Elements along and across the motion in a window, and time steps.
@@ -87,7 +87,7 @@ def show(chart):
     rows = chart.rows()
     groups = results.groups(rows)
     picture(chart, groups)
-    chart.page(TITLE, *conclusion(groups), table(groups),
+    chart.page(TITLE, *conclusion(groups), dry_table(groups), *of_oil(groups),
                *numerics(rows))
 
 
@@ -100,25 +100,44 @@ def per_cent(values):
     return f"{low:+d}" if low == high else f"{low:+d} to {high:+d}"
 
 
-def table(groups):
-    lines = ["| surface | Str | m | oil | windows | mu of the patch | mean over profiles "
+def dry_table(groups):
+    lines = ["| surface | Str | m | windows | mu of the patch | mean over profiles "
              "[%] (by window) | one profile [%] (root mean square) | contact "
-             "fraction of the patch | its mean over profiles [%] | load that oil "
-             "carries, patch | its mean over profiles |",
-             "|" + " --- |" * 12]
+             "fraction of the patch | its mean over profiles [%] |",
+             "|" + " --- |" * 9]
     for key, group in groups["mu"].items():
-        area = groups["contact fraction"][key]
         factor, wetting = group.interface
-        share = groups["oil share"].get(key)
-        cells = (group.surface, f"{group.ratio:g}", f"{factor:g}", f"{wetting:g}",
+        if wetting:
+            continue
+        area = groups["contact fraction"][key]
+        cells = (group.surface, f"{group.ratio:g}", f"{factor:g}",
                  len(group.patches), f"{group.patch:.3f}",
                  f"{group.bias():+.0f} ({per_cent(group.of_means().values())})",
                  f"{per_cent(group.of_profiles())} ({group.typical():.0f})",
-                 f"{area.patch:.3f}", f"{area.bias():+.0f}",
-                 f"{share.patch:.2f}" if wetting else "",
-                 f"{share.of_all_profiles():.2f}" if wetting else "")
+                 f"{area.patch:.3f}", f"{area.bias():+.0f}")
         lines.append("| " + " | ".join(map(str, cells)) + " |")
     return "\n".join(lines)
+
+
+def oil_table(groups):
+    """Values, since those of patches with much oil are near zero."""
+    lines = ["| surface | Str | windows | mu: patch | profiles | contact fraction: "
+             "patch | profiles | part of the load that oil carries: patch | "
+             "profiles |", "|" + " --- |" * 9]
+    for key, group in groups["mu"].items():
+        if not group.interface[1]:
+            continue
+        cells = [group.surface, f"{group.ratio:g}", len(group.patches)]
+        for of_quantity in groups.values():
+            of = of_quantity[key]
+            cells += [f"{of.patch:.3f}", f"{of.of_all_profiles():.3f} "
+                      f"({span(of.all_profiles())})"]
+        lines.append("| " + " | ".join(map(str, cells)) + " |")
+    return "\n".join(lines)
+
+
+def span(values):
+    return f"{min(values):.3f} to {max(values):.3f}"
 
 
 def numerics(rows):
@@ -179,6 +198,8 @@ def conclusion(groups):
            "motion, which leaves their profiles as they are. A window is as long as "
            "one to two asperities.")
     for interface in interfaces(groups):
+        if interface[1]:
+            continue
         of_surface = {surface: sorted((g for (s, i, _), g in groups["mu"].items()
                                        if i == interface and s == surface),
                                       key=lambda g: -g.ratio)
@@ -195,10 +216,30 @@ def conclusion(groups):
         text += f": {verdict(synthetic)}. "
         yield text + " ".join(of_tool(group) for found in of_surface.values()
                               for group in found)
-    areas = [g.bias() for g in groups["contact fraction"].values()]
+    areas = [g.bias() for g in groups["contact fraction"].values()
+             if not g.interface[1]]
     yield (f"The contact fraction is off by {per_cent(areas)} % in the mean over "
            "profiles. One to three windows stand for a point of the table: these are "
            "sizes of an error, and no corrections.")
+
+
+def of_oil(groups):
+    """What a profile has beside a patch whose void has the same part of oil."""
+    shares = [g for g in groups["oil share"].values() if g.interface[1]]
+    if not shares:
+        return
+    patches = [g.patch for g in shares]
+    profiles = [g.of_all_profiles() for g in shares]
+    yield (f"**{name_of(shares[0].interface)[0].upper()}"
+           f"{name_of(shares[0].interface)[1:]}** at the first touch, which is of "
+           "one pressure, the oil of these patches carries "
+           f"{100. * min(patches):.0f} to {100. * max(patches):.0f} % of the load, "
+           "that of the mean over their profiles "
+           f"{100. * min(profiles):.0f} to {100. * max(profiles):.0f} %. A ridge "
+           "without end bears more than a hill after the same approach, so that the "
+           "tool stops before the oil fills what is left under it. So a wetting by "
+           "which a profile has the measured friction is not that of the surface.")
+    yield oil_table(groups)
 
 
 def of_tool(group):
@@ -214,14 +255,40 @@ def interfaces(groups):
 
 def picture(chart, groups):
     found = interfaces(groups)
-    quantities = ("mu", "contact fraction")
-    figure, axes = panels(len(found), len(quantities), width=4.6, height=3.5)
-    for row, quantity in zip(axes, quantities):
-        for panel, interface in zip(row, found):
-            draw(panel, [g for (_, i, _), g in groups[quantity].items()
-                         if i == interface], f"{quantity}, {name_of(interface)}")
+    figure, axes = panels(len(found), 2, width=4.6, height=3.5)
+    for column, interface in zip(axes.T, found):
+        quantities = ("mu", "oil share" if interface[1] else "contact fraction")
+        for panel, quantity in zip(column, quantities):
+            chosen = [g for (_, i, _), g in groups[quantity].items()
+                      if i == interface]
+            (draw_values if interface[1] else draw)(
+                panel, chosen, f"{quantity}, {name_of(interface)}")
     axes[1, 0].legend(loc="upper left", fontsize=7)
     chart.picture(figure)
+
+
+def draw_values(panel, groups, title):
+    """Over Str: of patches as squares, of profiles as specks and, their mean, as
+    circles."""
+    for group in groups:
+        colour = COLOURS_OF[group.surface]
+        values = group.all_profiles()
+        panel.plot([0.93 * group.ratio] * len(values), values, "_", color=colour,
+                   alpha=0.35, ms=6)
+        panel.plot(group.ratio, group.of_all_profiles(), "o", color=colour, mfc="w")
+        panel.plot(group.ratio, group.patch, "s", color=colour)
+    panel.set_ylim(bottom=0.)
+    over_ratio(panel, title)
+    panel.plot([], [], "s", color=GREY, label="patches")
+    panel.plot([], [], "o", color=GREY, mfc="w", label="mean over profiles")
+    panel.legend(loc="center left", fontsize=7)
+
+
+def over_ratio(panel, title):
+    panel.set_title(title)
+    panel.set_xscale("log")
+    panel.set_xlabel("texture aspect ratio Str")
+    log_axis(panel.xaxis, [0.05, 0.1, 0.2, 0.5, 1])
 
 
 def draw(panel, groups, title):
@@ -229,7 +296,6 @@ def draw(panel, groups, title):
     profiles of each surface as dots, its mean over surfaces as squares."""
     panel.axhline(0., color=INK, lw=0.9)
     panel.axhspan(-results.FAIR, results.FAIR, color=GREEN, alpha=0.12, lw=0)
-    panel.set_xscale("log")
     for surface, colour in COLOURS_OF.items():
         found = sorted((g for g in groups if g.surface == surface),
                        key=lambda group: group.ratio)
@@ -246,7 +312,5 @@ def draw(panel, groups, title):
         line = "-" if surface == "synthetic" else ""
         panel.plot(xs, [group.bias() for group in found], "s" + line,
                    color=colour, label=f"{surface}: mean over profiles")
-    panel.set_title(title)
-    panel.set_xlabel("texture aspect ratio Str")
     panel.set_ylabel("error of plane strain [%]")
-    log_axis(panel.xaxis, [0.05, 0.1, 0.2, 0.5, 1])
+    over_ratio(panel, title)

@@ -36,6 +36,9 @@ class Group:
     def patch(self):
         return mean(self.patches.values())
 
+    def all_profiles(self):
+        return [value for seed in self.patches for value in self.profiles[seed]]
+
     def of_all_profiles(self):
         """Mean over the profiles of all surfaces."""
         return mean([mean(self.profiles[seed]) for seed in self.patches])
