@@ -137,7 +137,7 @@ namespace asperity
           return is_in_strip(mesh, level, height - upper[dim - 1]);
         });
     if (mesh.is_bounded() && n_dofs() > mesh.most_unknowns)
-      throw InputError("Entry 'Mesh/Most unknowns': found " +
+      throw InputError("Entry 'Mesh/Maximum unknowns': found " +
                        std::to_string(mesh.most_unknowns) + ", but the " +
                        std::to_string(mesh.n_even_levels()) +
                        " levels that are along the whole contact edge have " +

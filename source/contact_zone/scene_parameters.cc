@@ -120,7 +120,7 @@ namespace asperity
                        "what touches, when the mesh changes; it does so when "
                        "0.6 of them are left. `automatic`: 10, of a patch "
                        "(Dimension = 3) 5.");
-    parameters.integer("Most unknowns",
+    parameters.integer("Maximum unknowns",
                        most_unknowns,
                        Range::between(0, 100000000),
                        "Of a mesh with Adaptive levels: where contacts want "

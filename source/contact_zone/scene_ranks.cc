@@ -152,7 +152,7 @@ namespace asperity
       std::string(fits(DirectSolverKind::krylov) ?
                     "Solver/Linear solver = krylov, " :
                     "") +
-      (parameters.mesh.adaptive_levels > 0 ? "a bound by Most unknowns, " :
+      (parameters.mesh.adaptive_levels > 0 ? "a bound by Maximum unknowns, " :
                                              "") +
       "fewer Spans";
     throw InputError(

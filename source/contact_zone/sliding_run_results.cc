@@ -137,7 +137,7 @@ namespace asperity
       return "";
     return "The contacts want finer meshes than the " +
            std::to_string(parameters.mesh.most_unknowns) +
-           " unknowns of Mesh/Most unknowns make: " +
+           " unknowns of Mesh/Maximum unknowns make: " +
            std::to_string(report.bounded) + " of " +
            std::to_string(report.remeshes) +
            " changes took a coarser one, with fewer cells beside them" +

@@ -81,7 +81,7 @@ TEST_F(RanksOfChangingMeshes, divide_each_mesh_anew_and_find_the_same_friction)
 
 TEST_F(RanksOfChangingMeshes, obey_a_bound_and_solve_by_multigrid)
 {
-  const std::string bound = " set Most unknowns = 700\n";
+  const std::string bound = " set Maximum unknowns = 700\n";
   const auto        one   = summary_of("one", "", bound);
   expect_equal(
     one,

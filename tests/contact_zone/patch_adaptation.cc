@@ -155,7 +155,7 @@ TEST(PatchAdaptation, has_no_more_unknowns_than_it_may)
   EXPECT_GT(report.bounded, 0u);
   EXPECT_EQ(run.run.coarser_meshes().find(
               "The contacts want finer meshes than the 1300 unknowns of "
-              "Mesh/Most unknowns make: "),
+              "Mesh/Maximum unknowns make: "),
             0u);
   for (const FrictionRow &row : run.rows())
     EXPECT_NEAR(row.T_y,
@@ -193,8 +193,9 @@ TEST(PatchAdaptation, refuses_what_does_not_go_over_and_a_bound_that_is_too_low)
   EXPECT_EQ(message({{"Interface/Shear law", "Coulomb"}}),
             found + "an interface that bears shear; expected 0, or "
                     "Interface/Shear law = none.");
-  EXPECT_EQ(message({{"Mesh/Most unknowns", "100"}})
-              .find("Entry 'Mesh/Most unknowns': found 100, but the 0 levels "
-                    "that are along the whole contact edge have "),
+  EXPECT_EQ(message({{"Mesh/Maximum unknowns", "100"}})
+              .find(
+                "Entry 'Mesh/Maximum unknowns': found 100, but the 0 levels "
+                "that are along the whole contact edge have "),
             0u);
 }

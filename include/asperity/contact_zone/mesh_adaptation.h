@@ -27,8 +27,8 @@ namespace asperity
 
     unsigned int most_unknowns = 0;
 
-    /** Remeshes that Mesh/Most unknowns has made coarser than wanted, and how
-     *  many levels have been left out at the most. */
+    /** Remeshes that Mesh/Maximum unknowns has made coarser than wanted, and
+     * how many levels have been left out at the most. */
     unsigned int bounded = 0, missing_levels = 0;
 
     /** Of the run, whose cost its product sums up: unknowns times Newton
@@ -62,7 +62,7 @@ namespace asperity
    * closer as in the last step. Cells that are there stay where a coarsening
    * would lose plastic strain.
    *
-   * Where this makes more unknowns than Mesh/Most unknowns, meshes are
+   * Where this makes more unknowns than Mesh/Maximum unknowns, meshes are
    * wanted with fewer cells beside what touches, which lose more plastic
    * strain; then the same without the finest level, and so on.
    */

@@ -124,7 +124,7 @@ namespace asperity
      * the balance, with the cost so far. Of a dry scene with a flat chip that
      * conducts no heat. Collective.
      * @param wanted meshes, of which the first is taken that has not more than
-     *   Mesh/Most unknowns
+     *   Mesh/Maximum unknowns
      */
     AdaptedMesh
     adapt_mesh(const SceneParameters &parameters,

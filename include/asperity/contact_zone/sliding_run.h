@@ -119,8 +119,8 @@ namespace asperity
     std::string
     excess_shear() const;
 
-    /** A sentence if Mesh/Most unknowns has made meshes coarser than wanted; or
-     *  empty. */
+    /** A sentence if Mesh/Maximum unknowns has made meshes coarser than wanted;
+     * or empty. */
     std::string
     coarser_meshes() const;
 
