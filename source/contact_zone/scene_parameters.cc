@@ -75,6 +75,42 @@ namespace asperity
                         "dimensions along y, too: what this changes of mu is "
                         "numerical error.");
     }
+
+    /** Of a mesh that follows the contacts. */
+    void
+    declare_adaptation(ParameterDeclarator &parameters, MeshParameters &mesh)
+    {
+      parameters.integer(
+        "Adaptive levels",
+        mesh.adaptive_levels,
+        Range::between(0, MeshParameters::most_levels),
+        "How many of the Refinement levels, the finest ones, "
+        "are only where the chip touches the tool or soon will; "
+        "the mesh changes during the run. 0: none, all levels "
+        "are along the whole contact edge.");
+      parameters.quantity(
+        "Remesh distance",
+        mesh.remesh_distance,
+        "um",
+        Range::between(1e-10, 1e-2),
+        "Sliding distance ahead for which a mesh with Adaptive "
+        "levels is refined when it changes.");
+      parameters.integer("Adaptive halo",
+                         mesh.halo,
+                         Range::between(1, 1000),
+                         "Cells of each of the Adaptive levels on each side of "
+                         "what touches, when the mesh changes; it does so when "
+                         "0.6 of them are left. `automatic`: 10, of a patch "
+                         "(Dimension = 3) 5.");
+      parameters.integer(
+        "Maximum unknowns",
+        mesh.most_unknowns,
+        Range::between(0, 100000000),
+        "Of a mesh with Adaptive levels: where contacts want "
+        "more, fewer cells beside them are fine, and at last "
+        "the finest levels are left out; a warning says so. 0: "
+        "no bound.");
+    }
   } // namespace
 
 
@@ -100,33 +136,7 @@ namespace asperity
                        "Levels of hierarchical refinement between the bottom "
                        "and the contact edge; each halves the element size. "
                        "Spans must be a multiple of 2 to this power.");
-    parameters.integer("Adaptive levels",
-                       adaptive_levels,
-                       Range::between(0, most_levels),
-                       "How many of the Refinement levels, the finest ones, "
-                       "are only where the chip touches the tool or soon will; "
-                       "the mesh changes during the run. 0: none, all levels "
-                       "are along the whole contact edge.");
-    parameters.quantity("Remesh distance",
-                        remesh_distance,
-                        "um",
-                        Range::between(1e-10, 1e-2),
-                        "Sliding distance ahead for which a mesh with Adaptive "
-                        "levels is refined when it changes.");
-    parameters.integer("Adaptive halo",
-                       halo,
-                       Range::between(1, 1000),
-                       "Cells of each of the Adaptive levels on each side of "
-                       "what touches, when the mesh changes; it does so when "
-                       "0.6 of them are left. `automatic`: 10, of a patch "
-                       "(Dimension = 3) 5.");
-    parameters.integer("Maximum unknowns",
-                       most_unknowns,
-                       Range::between(0, 100000000),
-                       "Of a mesh with Adaptive levels: where contacts want "
-                       "more, fewer cells beside them are fine, and at last "
-                       "the finest levels are left out; a warning says so. 0: "
-                       "no bound.");
+    declare_adaptation(parameters, *this);
     parameters.quantity("Strip depth",
                         strip,
                         "um",

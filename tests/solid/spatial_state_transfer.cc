@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "state_transfer_examples.h"
+
 using namespace asperity;
 using dealii::Point;
 
@@ -60,30 +62,6 @@ namespace
     strain[1][2] = 0.008 * x[2];
     return strain;
   }
-
-  /** exp of a symmetric tensor of small size, by its series. */
-  Symmetric
-  exponential(const Symmetric &tensor)
-  {
-    Symmetric sum = one, term = one;
-    for (unsigned int k = 1; k < 12; ++k)
-      {
-        term = symmetrize(Gradient(term) * Gradient(tensor)) / k;
-        sum += term;
-      }
-    return sum;
-  }
-
-  double
-  mean_strain(const SplineSpace<3>             &space,
-              const std::vector<MaterialState> &states)
-  {
-    const auto table = tabulate_cells(space, {}, quadrature);
-    double     sum   = 0.;
-    for (std::size_t q = 0; q < states.size(); ++q)
-      sum += table.JxW[q] * states[q].plastic_strain;
-    return sum;
-  }
 } // namespace
 
 
@@ -107,7 +85,7 @@ TEST(SpatialStateTransfer, keeps_elastic_strains_bounds_and_integrals)
             invert(F.back()) * Gradient(exponential(2. * elastic_strain(x))) *
             transpose(invert(F.back())));
         }
-      const double mean = mean_strain(space, before);
+      const double mean = integral_of_strain(space, quadrature, before);
       space.adapt([&](const Point<3> &lower, const Point<3> &upper) {
         return !coarsen && in_a_corner(lower, upper) ? 1u : 0u;
       });
@@ -129,6 +107,8 @@ TEST(SpatialStateTransfer, keeps_elastic_strains_bounds_and_integrals)
           EXPECT_GE(after[q].plastic_strain, 0.);
           EXPECT_LE(after[q].plastic_strain, 5.4);
         }
-      EXPECT_NEAR(mean_strain(space, after), mean, 1e-12 * mean);
+      EXPECT_NEAR(integral_of_strain(space, quadrature, after),
+                  mean,
+                  1e-12 * mean);
     }
 }

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "state_transfer_examples.h"
+
 using namespace asperity;
 using dealii::Point;
 
@@ -79,30 +81,6 @@ namespace
     strain[2][2] = -0.004 * x[1];
     return strain;
   }
-
-  /** exp of a symmetric tensor of small size, by its series. */
-  Symmetric
-  exponential(const Symmetric &tensor)
-  {
-    Symmetric sum = one, term = one;
-    for (unsigned int k = 1; k < 12; ++k)
-      {
-        term = symmetrize(Gradient(term) * Gradient(tensor)) / k;
-        sum += term;
-      }
-    return sum;
-  }
-
-  double
-  integral_of_strain(const SplineSpace<2>             &space,
-                     const std::vector<MaterialState> &states)
-  {
-    const auto table = tabulate_cells(space, {}, quadrature);
-    double     sum   = 0.;
-    for (std::size_t q = 0; q < states.size(); ++q)
-      sum += table.JxW[q] * states[q].plastic_strain;
-    return sum;
-  }
 } // namespace
 
 TEST(StateTransfer, keeps_bounds_and_integrals)
@@ -112,7 +90,7 @@ TEST(StateTransfer, keeps_bounds_and_integrals)
     {
       const auto from   = space.hierarchy();
       const auto before = states_of(space);
-      const auto work   = integral_of_strain(space, before);
+      const auto work   = integral_of_strain(space, quadrature, before);
       space.adapt([&](const Point<2> &lower, const Point<2> &upper) {
         return !coarsen && in_the_corner(lower, upper) ? 2u : 0u;
       });
@@ -134,7 +112,9 @@ TEST(StateTransfer, keeps_bounds_and_integrals)
           for (const double value : eigenvalues(state.Cp_inverse))
             EXPECT_GT(value, 0.);
         }
-      EXPECT_NEAR(integral_of_strain(space, after), work, 1e-12 * work);
+      EXPECT_NEAR(integral_of_strain(space, quadrature, after),
+                  work,
+                  1e-12 * work);
     }
 }
 
