@@ -27,8 +27,7 @@ namespace asperity
    *   q_m = (theta_m - remembered_m)/S_m,
    *
    * so that the edge neither reflects heat nor keeps it, up to the waves that
-   * are left out. The edge counts as straight, normal to the
-   * last axis.
+   * are left out. The edge counts as straight, normal to the last axis.
    */
   template <int dim>
   class BodyContinuation
@@ -50,8 +49,8 @@ namespace asperity
     void
     begin_step(const double dt);
 
-    /** Adds the derivative of minus add_power() to a matrix [W/(m^(3 - dim)
-     * K)]. */
+    /** Adds the derivative of minus add_power() to a matrix
+     *  [W/(m^(3 - dim) K)]. */
     void
     add_conductance(dealii::SparseMatrix<double> &matrix) const;
 

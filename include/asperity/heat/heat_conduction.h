@@ -26,11 +26,11 @@ namespace asperity
    *   rho0 c dT/dt = Div(K Grad T) + s,  K = lambda J F^{-1} F^{-T},
    *
    * with F = 1 + Grad u the deformation of the step, plane strain in two
-   * dimensions, and a source s
-   * per reference volume; conduction is isotropic in the current frame. T is a
-   * spline, the scheme backward Euler, of first order in time. Without loads
-   * its edges are insulated. The functions sum to one, so heat is conserved to
-   * round-off: what comes in is stored, or goes on to continue_beyond().
+   * dimensions, and a source s per reference volume; conduction is isotropic
+   * in the current frame. T is a spline, the scheme backward Euler, of first
+   * order in time. Without loads its edges are insulated. The functions sum to
+   * one, so heat is conserved to round-off: what comes in is stored, or goes on
+   * to continue_beyond().
    *
    * Vectors have an entry a function; temperatures are rises over the one that
    * the body starts from, so that a body at rest stays there to the last bit.
@@ -75,12 +75,12 @@ namespace asperity
     begin_step(const Vector &u, const double dt);
 
     /** power_a += int N_a s dV [W/m^(3 - dim)], with s per reference volume at
-     * the points of the cells [W/m^3]. */
+     *  the points of the cells [W/m^3]. */
     void
     add_source(const Vector &source, Vector &power) const;
 
     /** Replaces a power by function [W/m^(3 - dim)] by the rise at the end of
-     * the step that it causes alone [K]. */
+     *  the step that it causes alone [K]. */
     void
     respond(Vector &power) const;
 
