@@ -1,8 +1,14 @@
 #include <asperity/contact_zone/surface_layer.h>
 
+#include <deal.II/base/bounding_box.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/numerics/rtree.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
+#include <optional>
 #include <set>
 
 namespace asperity
@@ -70,6 +76,113 @@ namespace asperity
       std::vector<double> x;
       double              period = 0.;
     };
+
+    /** Where a value is between sorted abscissae: after that of an index, by a
+     *  share of the way to the next one, which is beyond 0 and 1 outside. */
+    std::pair<unsigned int, double>
+    position_between(const std::vector<double> &abscissae, const double value)
+    {
+      unsigned int before = 0;
+      while (before + 2 < abscissae.size() && abscissae[before + 1] < value)
+        ++before;
+      return {before,
+              (value - abscissae[before]) /
+                (abscissae[before + 1] - abscissae[before])};
+    }
+
+    /** The cells of a body as they lie on one another, seen by their Gauss
+     *  points, which are numbered along the last parameter last. */
+    template <int dim>
+    class CellStacks
+    {
+    public:
+      explicit CellStacks(const BasisTable<dim> &body)
+        : body(body)
+        , n(points_a_direction(body))
+        , n_row(body.points_per_element / n)
+      {
+        // From the points of a cell to its sides.
+        const double inset =
+          dealii::QGauss<1>(n).point(0)[0]; // of a cell of length 1
+        for (const auto &element : body.elements)
+          {
+            const auto &first = body.parameter[element.first_point];
+            const auto &last =
+              body.parameter[element.first_point + body.points_per_element - 1];
+            const auto rim = inset / (1. - 2. * inset) * (last - first);
+            boxes.emplace_back(std::make_pair(first - rim, last + rim));
+          }
+        std::vector<std::pair<dealii::BoundingBox<dim>, unsigned int>> numbered;
+        for (const auto &box : boxes)
+          numbered.emplace_back(box, numbered.size());
+        tree = dealii::pack_rtree(numbered);
+      }
+
+      /** The uppermost points of a cell. */
+      std::vector<unsigned int>
+      upper_row(const unsigned int e) const
+      {
+        std::vector<unsigned int> row(n_row);
+        std::iota(row.begin(),
+                  row.end(),
+                  body.elements[e].first_point + n_row * (n - 1));
+        return row;
+      }
+
+      /** Points and their weights, which are linear along the edge: of the
+       *  upper row of the cell below, where there is one, or else of the
+       *  second row of this one.
+       *  @param top of the upper row of the cell e */
+      std::vector<std::pair<unsigned int, double>>
+      below(const unsigned int e, const unsigned int top) const
+      {
+        const auto under = cell_under(e);
+        if (!under)
+          return {{top - n_row, 1.}};
+        std::vector<std::pair<unsigned int, double>> points = {
+          {upper_row(*under).front(), 1.}};
+        unsigned int stride = 1;
+        for (unsigned int d = 0; d < dim - 1; ++d, stride *= n)
+          {
+            std::vector<double> abscissae;
+            for (unsigned int i = 0; i < n; ++i)
+              abscissae.push_back(
+                body.parameter[upper_row(*under).front() + i * stride][d]);
+            const auto [before, after] =
+              position_between(abscissae, body.parameter[top][d]);
+            std::vector<std::pair<unsigned int, double>> products;
+            for (const auto &[point, weight] : points)
+              for (const unsigned int i : {0, 1})
+                {
+                  const double share = i == 1 ? after : 1. - after;
+                  if (std::abs(share) > 1e-12) // as across a cell as wide
+                    products.emplace_back(point + (before + i) * stride,
+                                          weight * share);
+                }
+            points = products;
+          }
+        return points;
+      }
+
+    private:
+      std::optional<unsigned int>
+      cell_under(const unsigned int e) const
+      {
+        dealii::Point<dim> below = boxes[e].center();
+        // Less deep than any cell is high.
+        below[dim - 1] -= 0.501 * boxes[e].side_length(dim - 1);
+        namespace bgi = boost::geometry::index;
+        for (const auto &[box, under] :
+             tree | bgi::adaptors::queried(bgi::intersects(below)))
+          return under;
+        return {};
+      }
+
+      const BasisTable<dim>                                           &body;
+      unsigned int                                                     n, n_row;
+      std::vector<dealii::BoundingBox<dim>>                            boxes;
+      dealii::RTree<std::pair<dealii::BoundingBox<dim>, unsigned int>> tree;
+    };
   } // namespace
 
 
@@ -82,23 +195,22 @@ namespace asperity
     std::set<unsigned int> cells;
     for (const auto &element : edge.elements)
       cells.insert(element.cell);
-    // The points of a cell are numbered along the edge first.
-    const unsigned int  n       = points_a_direction(body);
-    const unsigned int  n_layer = body.points_per_element / n;
-    const double        height  = edge.parameter.front()[dim - 1];
-    std::vector<Column> result;
-    for (const auto &element : body.elements)
-      if (cells.count(element.cell) > 0)
-        for (unsigned int i = 0; i < n_layer; ++i)
+    const CellStacks<dim> stacks(body);
+    const double          height = edge.parameter.front()[dim - 1];
+    std::vector<Column>   result;
+    for (unsigned int e = 0; e < body.elements.size(); ++e)
+      if (cells.count(body.elements[e].cell) > 0)
+        for (const unsigned int top : stacks.upper_row(e))
           {
-            const unsigned int top =
-              element.first_point + n_layer * (n - 1) + i;
-            const unsigned int below = top - n_layer;
-            const double       upper = body.parameter[top][dim - 1];
-            result.push_back(
-              {top,
-               below,
-               (height - upper) / (upper - body.parameter[below][dim - 1])});
+            Column column;
+            column.top   = top;
+            column.below = stacks.below(e, top);
+            double depth = 0.;
+            for (const auto &[point, weight] : column.below)
+              depth += weight * (height - body.parameter[point][dim - 1]);
+            const double top_depth = height - body.parameter[top][dim - 1];
+            column.beyond          = top_depth / (depth - top_depth);
+            result.push_back(column);
           }
     return result;
   }
@@ -140,17 +252,16 @@ namespace asperity
       n_grid *= coordinates.size();
     if (n_grid != columns.size())
       return false;
-    const auto number = [&](const Column &column) {
-      unsigned int n = 0;
-      for (unsigned int d = dim - 1; d-- > 0;)
-        n = n * along[d].size() + along[d].nearest(parameter_of(column)[d]);
-      return n;
-    };
-    std::sort(columns.begin(),
-              columns.end(),
-              [&](const Column &a, const Column &b) {
-                return number(a) < number(b);
-              });
+    std::vector<Column> ordered(n_grid);
+    for (const Column &column : columns)
+      {
+        unsigned int number = 0;
+        for (unsigned int d = dim - 1; d-- > 0;)
+          number = number * along[d].size() +
+                   along[d].nearest(parameter_of(column)[d]);
+        ordered[number] = column;
+      }
+    columns = ordered;
     for (const auto &parameter : edge.parameter)
       {
         Place place;
@@ -201,19 +312,13 @@ namespace asperity
           unsigned int stride = 1;
           for (unsigned int d = 0; d < dim - 1; ++d, stride *= n)
             {
-              const auto at = [&](const unsigned int i) {
-                const Column &column =
-                  columns[first_column[element.cell] + i * stride];
-                return body.parameter[column.top][d];
-              };
-              unsigned int before = 0;
-              while (before + 2 < n && at(before + 1) < parameter[d])
-                ++before;
-              const double after =
-                std::min(std::max((parameter[d] - at(before)) /
-                                    (at(before + 1) - at(before)),
-                                  0.),
-                         1.);
+              std::vector<double> abscissae;
+              for (unsigned int i = 0; i < n; ++i)
+                abscissae.push_back(
+                  body.parameter[columns[place.column[0] + i * stride].top][d]);
+              const auto [before, share] =
+                position_between(abscissae, parameter[d]);
+              const double after = std::min(std::max(share, 0.), 1.);
               for (unsigned int i = 0; i < place.column.size(); ++i)
                 {
                   const bool is_after = (i >> d) % 2 == 1;
@@ -232,10 +337,17 @@ namespace asperity
   SurfaceLayer<dim>::at_top(const std::vector<MaterialState> &history,
                             const Column                     &column) const
   {
-    const MaterialState &a = history[column.top], &b = history[column.below];
-    const double         w = column.beyond;
-    return {std::max((1. + w) * a.plastic_strain - w * b.plastic_strain, 0.),
-            (1. + w) * a.temperature - w * b.temperature};
+    const MaterialState &top = history[column.top];
+    Point                below{0., 0.};
+    for (const auto &[point, weight] : column.below)
+      {
+        below.plastic_strain += weight * history[point].plastic_strain;
+        below.temperature += weight * history[point].temperature;
+      }
+    const double w = column.beyond;
+    return {std::max((1. + w) * top.plastic_strain - w * below.plastic_strain,
+                     0.),
+            (1. + w) * top.temperature - w * below.temperature};
   }
 
 

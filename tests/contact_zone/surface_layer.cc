@@ -46,6 +46,37 @@ TEST(SurfaceLayer, is_linear_in_depth_and_along_the_edge_over_the_period)
               1e-9);
 }
 
+// Only the uppermost points of cells count: what the others have leaves the
+// line through those unchanged, whether the uppermost cells lie on others of
+// their size (a strip of 0.3 um) or on those of twice the size (0.1 um).
+TEST(SurfaceLayer, looks_at_the_uppermost_points_of_two_cells)
+{
+  for (const double strip : {0.1e-6, 0.3e-6})
+    {
+      SceneParameters parameters = coarse_scene();
+      parameters.mesh.strip      = strip;
+      const Scene<2>             scene(parameters);
+      const BasisTable<2>       &body    = scene.chip->table();
+      std::vector<MaterialState> history = scene.chip->history();
+      const unsigned int n = std::lround(std::sqrt(body.points_per_element));
+      for (const auto &element : body.elements)
+        for (unsigned int i = 0; i < body.points_per_element; ++i)
+          {
+            MaterialState &state    = history[element.first_point + i];
+            const double   y        = body.position[element.first_point + i][1];
+            const bool     is_upper = i >= body.points_per_element - n;
+            state.plastic_strain    = is_upper ? y / 1e-6 : 100.;
+            state.temperature       = is_upper ? 300. + y / 1e-6 : 5000.;
+          }
+      const double y = scene.contact->table().position[0][1] / 1e-6;
+      for (const auto &point : scene.surface_layer->at_edge(history))
+        {
+          EXPECT_NEAR(point.plastic_strain, y, 1e-9);
+          EXPECT_NEAR(point.temperature, 300. + y, 1e-9);
+        }
+    }
+}
+
 // A strain that falls steeply towards the edge ends at zero there.
 TEST(SurfaceLayer, has_no_negative_strain)
 {

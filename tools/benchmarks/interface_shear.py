@@ -338,24 +338,35 @@ def steps(arguments):
 
 
 def fine(arguments):
-    print_head("scene | p [MPa] | v [m/min] | T [degC] | m | mu, 320 spans, 288 + "
-               "384 steps | with 144 + 192 steps [%] | with 640 spans [%]")
+    print_head("scene | p [MPa] | v [m/min] | T [degC] | m | mu, 640 spans, 144 + "
+               "192 steps | with 160 spans [%] | with 320 [%] | with 1280 [%] | "
+               "twice the steps, 320 spans [%]")
+
+    def mu(scene, case, m, spans, refinement=1):
+        return run(arguments,
+                   "fine_{}_p{}_v{}_T{}".format(scene, *case) +
+                   f"_m{m}_{spans}_{144 * refinement}",
+                   {**SETTINGS, **shear(m), "Mesh/Spans": spans,
+                    "Mesh/Refinement levels": int(math.log2(spans // 20)),
+                    "Protocol/Ramp steps": 144 * refinement,
+                    "Protocol/Slide steps": 192 * refinement},
+                   reference_scene(scene, case))["friction"]["mu"]
+
+    def per_cent(value, reference):
+        return f"{100. * (value / reference - 1.):+.2f}"
+
     for scene, case in ((s, c) for s in ("R0", "R1") for c in CASES):
         for m in (0.5, 0.8):
-            mu, coarser, finer = (
-                run(arguments,
-                    "fine_{}_p{}_v{}_T{}".format(scene, *case) +
-                    f"_m{m}_{spans}_{ramp}",
-                    {**SETTINGS, **shear(m), "Mesh/Spans": spans,
-                     "Mesh/Refinement levels": int(math.log2(spans // 20)),
-                     "Protocol/Ramp steps": ramp,
-                     "Protocol/Slide steps": slide},
-                    reference_scene(scene, case))["friction"]["mu"]
-                for spans, ramp, slide in ((320, 288, 384), (320, 144, 192),
-                                           (640, 288, 384)))
+            coarse, medium, finer = (mu(scene, case, m, spans)
+                                     for spans in (160, 320, 640))
+            # Where the last change is large, another one tells.
+            finest = (per_cent(mu(scene, case, m, 1280), finer)
+                      if abs(medium / finer - 1.) > 0.007 else "")
             print("| {} | {} | {} | {} | ".format(scene, *case) +
-                  f"{m} | {mu:.4f} | {100. * (coarser / mu - 1.):+.2f} | "
-                  f"{100. * (finer / mu - 1.):+.2f} |", flush=True)
+                  f"{m} | {finer:.4f} | {per_cent(coarse, finer)} | "
+                  f"{per_cent(medium, finer)} | {finest} | "
+                  f"{per_cent(mu(scene, case, m, 320, 2), medium)} |",
+                  flush=True)
 
 
 def main():

@@ -5,14 +5,18 @@
 #include <asperity/isogeometric/basis_table.h>
 
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace asperity
 {
   /** The material points of a body that are next to its top edge. What happens
-   *  at the edge itself lies on the straight line through the two uppermost
-   *  points below it: the uppermost ones come closer to it with every
-   *  refinement of the mesh, and strain changes by per cents on the way. */
+   *  at the edge itself lies on the straight line through the uppermost points
+   *  of the two uppermost cells: the points come closer to the edge with every
+   *  refinement of the mesh, and strain changes by per cents on the way. Two
+   *  points of one cell would lead too far where strain falls steeply towards
+   *  the edge, as it does where a spot first touched: the strain of one element
+   *  is nearly linear, and its slope that of the whole fall. */
   template <int dim>
   class SurfaceLayer
   {
@@ -40,11 +44,13 @@ namespace asperity
     mean_temperature(const std::vector<MaterialState> &history) const;
 
   private:
-    /** Two material points, one above the other. */
+    /** A material point next to the edge, and points with weights (1 in sum)
+     *  that stand for the one below it. */
     struct Column
     {
-      unsigned int top, below;
-      double       beyond; ///< way from the upper one to the edge, over theirs
+      unsigned int                                 top;
+      std::vector<std::pair<unsigned int, double>> below;
+      double beyond; ///< way from the upper one to the edge, over theirs
     };
 
     static std::vector<Column>
