@@ -97,8 +97,8 @@ TEST(SceneHeat, lies_between_the_adiabatic_and_the_isothermal_chip)
             parameters.load.temperature + 1.);
   EXPECT_GT(adiabatic.rows().back().flash_temperature,
             conducting.rows().back().flash_temperature);
-  EXPECT_EQ(isothermal.rows().back().flash_temperature,
-            parameters.load.temperature);
+  EXPECT_DOUBLE_EQ(isothermal.rows().back().flash_temperature,
+                   parameters.load.temperature);
   EXPECT_GT(mu(conducting), std::min(mu(adiabatic), mu(isothermal)));
   EXPECT_LT(mu(conducting), std::max(mu(adiabatic), mu(isothermal)));
 

@@ -203,7 +203,7 @@ TEST(SlidingRun, finite_elements_have_the_mu_of_splines)
 
 TEST(SlidingRun, finite_elements_are_for_dry_profiles_on_a_mesh_that_stays)
 {
-  const std::vector<std::array<std::string, 2>> others = {
+  const std::vector<std::pair<std::string, std::string>> others = {
     {"Geometry/Dimension", "3"},
     {"Lubrication/Model", "pocket"},
     {"Mesh/Adaptive levels", "1"}};
