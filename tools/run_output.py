@@ -17,25 +17,29 @@ class RunError(Exception):
 
 
 class Vtu:
-    """Points, cells and point data of a VTU file with zlib-compressed arrays."""
+    """Points, cells and point data of a VTU file with zlib-compressed arrays,
+    of all its pieces together."""
 
     TYPES = {"Float32": "<f4", "Float64": "<f8", "Int32": "<i4",
              "Int64": "<i8", "UInt8": "u1"}
 
     def __init__(self, path):
         try:
-            piece = xml.parse(path).getroot().find("UnstructuredGrid/Piece")
-            self.in_space = self._array(piece.find("Points/DataArray"))
+            pieces = xml.parse(path).getroot().findall("UnstructuredGrid/Piece")
+            points = [self._array(p.find("Points/DataArray")) for p in pieces]
+            self.in_space = np.concatenate(points)
             self.points = self.in_space[:, :2]
-            cells = {a.get("Name"): self._array(a).ravel()
-                     for a in piece.find("Cells")}
-            self.fields = {a.get("Name"): self._array(a)
-                           for a in piece.find("PointData")}
-        except (OSError, AttributeError, ValueError, xml.ParseError,
+            first = np.cumsum([0] + [len(p) for p in points])
+            self.cells = np.concatenate([self._cells(p) + n
+                                         for p, n in zip(pieces, first)])
+            self.fields = {
+                a.get("Name"): np.concatenate([
+                    self._array(b) for p in pieces for b in p.find("PointData")
+                    if b.get("Name") == a.get("Name")])
+                for a in pieces[0].find("PointData")}
+        except (OSError, AttributeError, IndexError, ValueError, xml.ParseError,
                 zlib.error, struct.error) as error:
             raise RunError(f"{path} cannot be read as a VTU file: {error}")
-        width = int(cells["offsets"][0])
-        self.cells = cells["connectivity"].reshape(-1, width)
 
     def field(self, name):
         if name not in self.fields:
@@ -43,6 +47,13 @@ class Vtu:
                            f"picture: {', '.join(self.fields)}.")
         values = self.fields[name]
         return values[:, 0] if values.shape[1] == 1 else values[:, :2]
+
+    @classmethod
+    def _cells(cls, piece):
+        """Points of each cell, numbered within the piece."""
+        cells = {a.get("Name"): cls._array(a).ravel()
+                 for a in piece.find("Cells")}
+        return cells["connectivity"].reshape(-1, int(cells["offsets"][0]))
 
     @classmethod
     def _array(cls, element):

@@ -4,7 +4,9 @@
 #include <mpi.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
+#include <utility>
 
 namespace asperity
 {
@@ -60,6 +62,48 @@ namespace asperity
     if (are_several())
       MPI_Allreduce(MPI_IN_PLACE, &result, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
     return result != 0;
+  }
+
+
+
+  std::vector<std::string>
+  Ranks::gather(std::string own) const
+  {
+    // Counts are integers of 32 bits: longer ones go in parts.
+    constexpr std::size_t most = std::size_t(1) << 30;
+    std::uint64_t         size = own.size();
+    const auto            send = [&]() {
+      MPI_Send(&size, 1, MPI_UINT64_T, 0, 0, MPI_COMM_WORLD);
+      for (std::size_t i = 0; i < size; i += most)
+        MPI_Send(own.data() + i,
+                 std::min(most, own.size() - i),
+                 MPI_BYTE,
+                 0,
+                 0,
+                 MPI_COMM_WORLD);
+    };
+    const auto receive = [&](const int rank) {
+      MPI_Recv(
+        &size, 1, MPI_UINT64_T, rank, 0, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+      std::string bytes(size, '\0');
+      for (std::size_t i = 0; i < size; i += most)
+        MPI_Recv(bytes.data() + i,
+                 std::min(most, bytes.size() - i),
+                 MPI_BYTE,
+                 rank,
+                 0,
+                 MPI_COMM_WORLD,
+                 MPI_STATUS_IGNORE);
+      return bytes;
+    };
+    std::vector<std::string> all;
+    if (!is_first())
+      send();
+    else
+      all.push_back(std::move(own));
+    for (unsigned int rank = 1; is_first() && rank < size_; ++rank)
+      all.push_back(receive(rank));
+    return all;
   }
 
 

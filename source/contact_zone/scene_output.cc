@@ -29,18 +29,28 @@ namespace asperity
     : parameters(parameters)
     , inputs(inputs)
     , scene(scene)
-    , table(parameters.output.directory, state.rows)
-    , chip(parameters.output.directory, "chip", kept(state))
-    , tool(parameters.output.directory, "tool", kept(state))
-    , contact_line(parameters.output.directory, "contact", kept(state))
-    , checkpoints(parameters.output.directory + "/checkpoint")
     , last_picture(state.step)
   {
+    if (!scene.share().ranks.is_first())
+      return;
+    const std::string &directory = parameters.output.directory;
+    files = std::make_unique<Files>(directory, state.rows, kept(state));
     if (scene.gap_flow != nullptr)
-      oil = std::make_unique<VtuSeries>(parameters.output.directory,
-                                        "oil",
-                                        kept(state));
+      files->oil = std::make_unique<VtuSeries>(directory, "oil", kept(state));
   }
+
+
+
+  template <int dim>
+  SceneOutput<dim>::Files::Files(const std::string              &directory,
+                                 const std::vector<FrictionRow> &rows,
+                                 const int keep_until_step)
+    : table(directory, rows)
+    , chip(directory, "chip", keep_until_step)
+    , tool(directory, "tool", keep_until_step)
+    , contact_line(directory, "contact", keep_until_step)
+    , checkpoints(directory + "/checkpoint")
+  {}
 
 
 
@@ -49,12 +59,13 @@ namespace asperity
   SceneOutput<dim>::step(const SlidingRun<dim> &run)
   {
     dealii::Timer timer;
-    table.append(run.state().rows.back());
+    if (files)
+      files->table.append(run.state().rows.back());
     const unsigned int step = run.state().step;
     if (parameters.output.picture_interval > 0 &&
         step % parameters.output.picture_interval == 0)
       write_pictures(run);
-    if (parameters.output.checkpoint_interval > 0 &&
+    if (files && parameters.output.checkpoint_interval > 0 &&
         parameters.mesh.adaptive_levels == 0 &&
         step % parameters.output.checkpoint_interval == 0)
       write_checkpoint(run);
@@ -71,11 +82,12 @@ namespace asperity
     const double       time = run.state().time;
     last_picture            = step;
     write_chip(run);
-
+    if (!files)
+      return;
     write_tool(step, time);
     write_contact(run.state().u, step, time);
-    if (oil)
-      oil->write(step, time, [&](std::ostream &out) {
+    if (files->oil)
+      files->oil->write(step, time, [&](std::ostream &out) {
         scene.gap_flow->write(out, time, step);
       });
   }
@@ -94,7 +106,8 @@ namespace asperity
         chip_output.emplace(*scene.space,
                             scene.geometry,
                             parameters.output.subdivisions,
-                            parameters.mesh.n_quadrature_points());
+                            parameters.mesh.n_quadrature_points(),
+                            scene.share());
       }
     ChipFields fields;
     fields.displacement.reinit(scene.n_dofs());
@@ -112,9 +125,11 @@ namespace asperity
                                  {"temperature [degC]", temperature},
                                  {"von Mises stress [Pa]",
                                   scene.chip->mises_stress()}};
-    chip.write(step, time, [&](std::ostream &out) {
-      chip_output->write(out, fields, time, step);
-    });
+    const auto pieces         = chip_output->pieces(fields, time, step);
+    if (files)
+      files->chip.write(step, time, [&](std::ostream &out) {
+        ChipOutput<dim>::write(out, pieces);
+      });
   }
 
 
@@ -123,8 +138,8 @@ namespace asperity
   void
   SceneOutput<dim>::write_checkpoint(const SlidingRun<dim> &run) const
   {
-    checkpoints.write({version_line(), inputs, save(run, scene)},
-                      run.state().step);
+    files->checkpoints.write({version_line(), inputs, save(run, scene)},
+                             run.state().step);
   }
 
 

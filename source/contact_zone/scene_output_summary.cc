@@ -243,6 +243,8 @@ namespace asperity
     if (last_picture != run.state().step)
       write_pictures(run);
     seconds_ += timer.wall_time();
+    if (!files)
+      return;
 
     json summary;
     summary["program"]          = version_json();

@@ -18,7 +18,7 @@ namespace asperity
         const double x = scene.length * i / n;
         curve.points.emplace_back(x, scene.tool_surface.height(x));
       }
-    tool.write(step, time, [&](std::ostream &out) {
+    files->tool.write(step, time, [&](std::ostream &out) {
       write_polyline(out, curve, time, step);
     });
   }
@@ -45,7 +45,7 @@ namespace asperity
                                       scene.width * (j + corner / 2) / n[1]);
             picture.points.emplace_back(at[0], at[1], sheet.value(at));
           }
-    tool.write(step, time, [&](std::ostream &out) {
+    files->tool.write(step, time, [&](std::ostream &out) {
       write_surface(out, picture, time, step);
     });
   }
@@ -118,7 +118,7 @@ namespace asperity
       }
     for (const auto &[name, values] : fields_of_heat(scene))
       line.scalars.emplace_back(name, values);
-    contact_line.write(step, time, [&](std::ostream &out) {
+    files->contact_line.write(step, time, [&](std::ostream &out) {
       write_polyline(out, line, time, step);
     });
   }
@@ -177,7 +177,7 @@ namespace asperity
       }
     for (const auto &[name, values] : fields_of_heat(scene))
       add(name, values);
-    contact_line.write(step, time, [&](std::ostream &out) {
+    files->contact_line.write(step, time, [&](std::ostream &out) {
       write_surface(out, picture, time, step);
     });
   }

@@ -148,18 +148,17 @@ namespace asperity
       {
         folder->clear(parameters().output.restart);
         write_parameters(input);
-        output = std::make_unique<SceneOutput<dim>>(parameters(),
-                                                    input.record,
-                                                    *audited_.scene,
-                                                    run_.state());
       }
+    output                = std::make_unique<SceneOutput<dim>>(parameters(),
+                                                input.record,
+                                                *audited_.scene,
+                                                run_.state());
     const auto after_step = [&](const SlidingRun<dim> &now) {
-      if (output)
-        output->step(now);
+      output->step(now);
       show_step(now, progress);
     };
     const auto kept = [&]() -> std::string {
-      if (!output || parameters().mesh.adaptive_levels > 0)
+      if (folder == nullptr || parameters().mesh.adaptive_levels > 0)
         return "";
       return kept_state(*output, run_, parameters().output.directory);
     };
@@ -188,8 +187,7 @@ namespace asperity
     std::vector<std::string> all = notes_;
     for (const auto &list : {this->warnings(), warnings})
       all.insert(all.end(), list.begin(), list.end());
-    if (output)
-      output->finish(run_, audited_.audit, accuracy, all, seconds);
+    output->finish(run_, audited_.audit, accuracy, all, seconds);
   }
 
 

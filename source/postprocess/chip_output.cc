@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "lagrange_values.h"
 #include "vtu_patches.h"
@@ -47,13 +48,19 @@ namespace asperity
   ChipOutput<dim>::ChipOutput(const SplineSpace<dim>   &space,
                               const PatchGeometry<dim> &geometry,
                               const unsigned int        n_subdivisions,
-                              const unsigned int        n_gauss_points)
+                              const unsigned int        n_gauss_points,
+                              const CellShare          &share)
     : n_subdivisions(n_subdivisions)
     , n_gauss_points(n_gauss_points)
     , n_functions(space.n_functions())
+    , share(share)
     , period(0.)
-    , table(
-        tabulate_cells(space, geometry, picture_points<dim>(n_subdivisions)))
+    , table(tabulate_cells(space,
+                           geometry,
+                           picture_points<dim>(n_subdivisions),
+                           [&share](const unsigned int cell) {
+                             return share.is_own(cell);
+                           }))
     , lagrange(internal::lagrange_values(n_subdivisions, n_gauss_points))
   {
     // The geometry is the identity plus a periodic offset, so the period in
@@ -163,10 +170,10 @@ namespace asperity
       }
     for (const auto &field : fields.quadrature_scalars)
       fill_from_gauss_points(&field.second[e * n_gauss_of_cell()], row++, data);
+    // The first rows are those of the displacement.
     for (unsigned int c = 0; c < dim; ++c, ++row)
       for (unsigned int i = 0; i < n_points; ++i)
-        data(row, i) = table.position[element.first_point + i][c] +
-                       spline_value(element, i, fields.displacement, dim, c);
+        data(row, i) = table.position[element.first_point + i][c] + data(c, i);
   }
 
 
@@ -178,6 +185,47 @@ namespace asperity
                          const double       time,
                          const unsigned int step,
                          const unsigned int n_periods) const
+  {
+    std::ostringstream piece;
+    write_piece(piece, fields, time, step, n_periods);
+    write(out, {piece.str()});
+  }
+
+
+
+  template <int dim>
+  std::vector<std::string>
+  ChipOutput<dim>::pieces(const ChipFields  &fields,
+                          const double       time,
+                          const unsigned int step) const
+  {
+    std::ostringstream piece;
+    write_piece(piece, fields, time, step, 1);
+    return share.ranks.gather(piece.str());
+  }
+
+
+
+  template <int dim>
+  void
+  ChipOutput<dim>::write(std::ostream                   &out,
+                         const std::vector<std::string> &pieces)
+  {
+    dealii::DataOutBase::write_vtu_header(out, internal::vtu_flags());
+    for (const std::string &piece : pieces)
+      out << piece;
+    dealii::DataOutBase::write_vtu_footer(out);
+  }
+
+
+
+  template <int dim>
+  void
+  ChipOutput<dim>::write_piece(std::ostream      &out,
+                               const ChipFields  &fields,
+                               const double       time,
+                               const unsigned int step,
+                               const unsigned int n_periods) const
   {
     check_sizes(fields);
     if (n_periods > 1 && period == 0.)
@@ -196,6 +244,8 @@ namespace asperity
     std::vector<dealii::DataOutBase::Patch<dim, dim>> patches;
     for (unsigned int e = 0; e < table.elements.size(); ++e)
       {
+        if (!share.is_own(table.elements[e].cell))
+          continue;
         auto patch = rows.template make_patch<dim>(n_subdivisions,
                                                    table.points_per_element);
         fill_cell(e, fields, patch.data);
@@ -206,7 +256,7 @@ namespace asperity
               patches.back().data(rows.n_fields(), i) += k * period;
           }
       }
-    rows.template write<dim>(patches, time, step, out);
+    rows.template write_piece<dim>(patches, time, step, out);
   }
 
 

@@ -32,6 +32,18 @@ namespace asperity
 
 
 
+    inline dealii::DataOutBase::VtkFlags
+    vtu_flags()
+    {
+      dealii::DataOutBase::VtkFlags flags;
+      // Equal states give equal files.
+      flags.print_date_and_time = false;
+      flags.compression_level   = dealii::DataOutBase::VtkFlags::best_speed;
+      return flags;
+    }
+
+
+
     /**
      * The rows of a deal.II patch and their names: fields first, vectors as a
      * row for each component, at the end the coordinates (which deal.II reads
@@ -109,15 +121,27 @@ namespace asperity
         const unsigned int                                            step,
         std::ostream                                                 &out) const
       {
+        dealii::DataOutBase::write_vtu_header(out, vtu_flags());
+        write_piece(patches, time, step, out);
+        dealii::DataOutBase::write_vtu_footer(out);
+      }
+
+      /** What stands between head and foot of a VTU file, which has as many of
+       *  these as it likes. */
+      template <int dim>
+      void
+      write_piece(
+        const std::vector<dealii::DataOutBase::Patch<dim, spacedim>> &patches,
+        const double                                                  time,
+        const unsigned int                                            step,
+        std::ostream                                                 &out) const
+      {
         for (const auto &patch : patches)
           require_finite(patch);
-        dealii::DataOutBase::VtkFlags flags;
+        auto flags  = vtu_flags();
         flags.time  = time;
         flags.cycle = step;
-        // Equal states give equal files.
-        flags.print_date_and_time = false;
-        flags.compression_level   = dealii::DataOutBase::VtkFlags::best_speed;
-        dealii::DataOutBase::write_vtu(patches, names, ranges, flags, out);
+        dealii::DataOutBase::write_vtu_main(patches, names, ranges, flags, out);
       }
 
     private:

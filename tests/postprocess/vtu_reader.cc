@@ -54,49 +54,87 @@ namespace
       throw std::runtime_error("a VTU array cannot be uncompressed");
     return values;
   }
+
+  /** Content of the first data array after `start`. */
+  std::string
+  array_text(const std::string &content, const std::string &start)
+  {
+    const auto position = content.find(start);
+    if (position == std::string::npos)
+      throw std::runtime_error("there is no " + start);
+    auto array = content.find("<DataArray", position);
+    // The name may be an attribute of the array itself.
+    if (start[0] == 'N')
+      array = content.rfind("<DataArray", position);
+    const auto begin = content.find('>', array) + 1;
+    return content.substr(begin, content.find('<', begin) - begin);
+  }
+
+  unsigned int
+  number_of(const std::string &piece, const std::string &what)
+  {
+    const std::string name = "NumberOf" + what + "=\"";
+    return std::stoi(piece.substr(piece.find(name) + name.size()));
+  }
+
+  template <typename Number>
+  std::vector<Number>
+  of_all(const std::vector<std::string> &pieces, const std::string &start)
+  {
+    std::vector<Number> all;
+    for (const std::string &piece : pieces)
+      {
+        const auto values = decode<Number>(array_text(piece, start));
+        all.insert(all.end(), values.begin(), values.end());
+      }
+    return all;
+  }
 } // namespace
 
 VtuReader::VtuReader(const std::string &content)
-  : content(content)
 {
-  n_points = std::stoi(content.substr(content.find("NumberOfPoints=\"") + 16));
-  n_cells  = std::stoi(content.substr(content.find("NumberOfCells=\"") + 15));
-}
-
-std::string
-VtuReader::array_text(const std::string &start) const
-{
-  const auto position = content.find(start);
-  if (position == std::string::npos)
-    throw std::runtime_error("there is no " + start);
-  auto array = content.find("<DataArray", position);
-  // The name may be an attribute of the array itself.
-  if (start[0] == 'N')
-    array = content.rfind("<DataArray", position);
-  const auto begin = content.find('>', array) + 1;
-  return content.substr(begin, content.find('<', begin) - begin);
+  auto position = content.find("<Piece");
+  head          = content.substr(0, position);
+  while (position != std::string::npos)
+    {
+      const auto next = content.find("<Piece", position + 1);
+      pieces.push_back(content.substr(position, next - position));
+      n_points += number_of(pieces.back(), "Points");
+      n_cells += number_of(pieces.back(), "Cells");
+      position = next;
+    }
+  n_pieces = pieces.size();
 }
 
 std::vector<float>
 VtuReader::points() const
 {
-  return decode<float>(array_text("<Points>"));
+  return of_all<float>(pieces, "<Points>");
 }
 
 std::vector<float>
 VtuReader::field(const std::string &name) const
 {
-  return decode<float>(array_text("Name=\"" + name + "\""));
+  return of_all<float>(pieces, "Name=\"" + name + "\"");
 }
 
 std::vector<int>
 VtuReader::connectivity() const
 {
-  return decode<int>(array_text("Name=\"connectivity\""));
+  std::vector<int> all;
+  int              first = 0;
+  for (const std::string &piece : pieces)
+    {
+      for (const int point :
+           decode<int>(array_text(piece, "Name=\"connectivity\"")))
+        all.push_back(first + point);
+      first += number_of(piece, "Points");
+    }
+  return all;
 }
 
 double
 VtuReader::time() const
 {
-  return std::stod(array_text("Name=\"TIME\""));
+  return std::stod(array_text(head, "Name=\"TIME\""));
 }

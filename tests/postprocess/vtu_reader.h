@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-/** What a visualisation program finds in a VTU file. */
+/** What a visualisation program finds in a VTU file, of all its pieces. */
 class VtuReader
 {
 public:
@@ -24,14 +24,11 @@ public:
   double
   time() const;
 
-  unsigned int n_points = 0, n_cells = 0;
+  unsigned int n_points = 0, n_cells = 0, n_pieces = 0;
 
 private:
-  /** Content of the first data array after `start`. */
-  std::string
-  array_text(const std::string &start) const;
-
-  std::string content;
+  std::string              head;
+  std::vector<std::string> pieces;
 };
 
 #endif

@@ -4,6 +4,7 @@
 #include <asperity/base/errors.h>
 
 #include <cstddef>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -69,6 +70,11 @@ namespace asperity
     /** Collective: whether the condition holds on every rank. */
     bool
     all(const bool condition) const;
+
+    /** Collective: the bytes of all ranks, in their order, on the first one;
+     *  nothing on the others. */
+    std::vector<std::string>
+    gather(std::string own) const;
 
     /** Collective: waits for all others. */
     void

@@ -19,7 +19,8 @@ namespace asperity
 {
   /**
    * The output directory of a run: friction.csv, pictures of chip, tool,
-   * contact line and flow, checkpoints, and at the end summary.json.
+   * contact line and flow, checkpoints, and at the end summary.json. On several
+   * ranks each draws its cells of the chip, and the first one writes.
    */
   template <int dim>
   class SceneOutput
@@ -29,18 +30,20 @@ namespace asperity
      * @param inputs go into the checkpoints
      * @param state of the run when it begins: rows and pictures up to its step
      *   are kept
-     * @throws ComputationError if the folder cannot be written
+     * @throws ComputationError if the folder cannot be written, on the first
+     *   rank
      */
     SceneOutput(const SceneParameters &parameters,
                 const InputRecord     &inputs,
                 const Scene<dim>      &scene,
                 const RunState        &state);
 
-    /** Table row always; pictures and checkpoints at their intervals. */
+    /** Table row always; pictures and checkpoints at their intervals.
+     *  Collective. */
     void
     step(const SlidingRun<dim> &run);
 
-    /** The last pictures, and summary.json.
+    /** The last pictures, and summary.json. Collective.
      *  @param accuracy what is known of the error of mu; nothing is shown if
      *    none is wanted */
     void
@@ -50,7 +53,8 @@ namespace asperity
            const std::vector<std::string> &warnings,
            const double                    wall_time);
 
-    /** Writes a checkpoint now, e.g. before the run gives up. */
+    /** Writes a checkpoint now, e.g. before the run gives up. On the first rank
+     *  only. */
     void
     write_checkpoint(const SlidingRun<dim> &run) const;
 
@@ -59,6 +63,19 @@ namespace asperity
     seconds() const;
 
   private:
+    struct Files
+    {
+      /** @param keep_until_step up to which pictures stay */
+      Files(const std::string              &directory,
+            const std::vector<FrictionRow> &rows,
+            const int                       keep_until_step);
+
+      FrictionTable              table;
+      VtuSeries                  chip, tool, contact_line;
+      std::unique_ptr<VtuSeries> oil; ///< of an oil that fills the gap
+      CheckpointFolder           checkpoints;
+    };
+
     void
     write_pictures(const SlidingRun<dim> &run);
 
@@ -77,14 +94,11 @@ namespace asperity
     const SceneParameters         &parameters;
     const InputRecord             &inputs;
     const Scene<dim>              &scene;
-    FrictionTable                  table;
     std::optional<ChipOutput<dim>> chip_output; ///< of the mesh below
     std::shared_ptr<const SplineHierarchy<dim>> drawn_mesh;
-    VtuSeries                                   chip, tool, contact_line;
-    std::unique_ptr<VtuSeries> oil; ///< of an oil that fills the gap
-    CheckpointFolder           checkpoints;
-    unsigned int               last_picture = 0;
-    double                     seconds_     = 0.;
+    std::unique_ptr<Files>                      files; ///< of the first rank
+    unsigned int                                last_picture = 0;
+    double                                      seconds_     = 0.;
   };
 
   template <>

@@ -2,6 +2,7 @@
 #define asperity_postprocess_chip_output_h
 
 #include <asperity/isogeometric/basis_table.h>
+#include <asperity/isogeometric/cell_partition.h>
 
 #include <deal.II/base/table.h>
 #include <deal.II/lac/vector.h>
@@ -51,11 +52,13 @@ namespace asperity
      * @param n_subdivisions of a cell in each direction
      * @param n_gauss_points Gauss points a direction at which quadrature fields
      *   are given
+     * @param share cells of this rank, which draws them
      */
     ChipOutput(const SplineSpace<dim>   &space,
                const PatchGeometry<dim> &geometry,
                const unsigned int        n_subdivisions,
-               const unsigned int        n_gauss_points);
+               const unsigned int        n_gauss_points,
+               const CellShare          &share = {});
 
     /**
      * Writes VTU. The displacement is a field of its own, too, named
@@ -74,7 +77,26 @@ namespace asperity
           const unsigned int step,
           const unsigned int n_periods = 1) const;
 
+    /** Collective: what each rank draws of the picture, on the first one; all
+     *  are to have the same fields. */
+    std::vector<std::string>
+    pieces(const ChipFields  &fields,
+           const double       time,
+           const unsigned int step) const;
+
+    /** The picture of these pieces. */
+    static void
+    write(std::ostream &out, const std::vector<std::string> &pieces);
+
   private:
+    /** The cells of this rank, with the names of their rows. */
+    void
+    write_piece(std::ostream      &out,
+                const ChipFields  &fields,
+                const double       time,
+                const unsigned int step,
+                const unsigned int n_periods) const;
+
     void
     check_sizes(const ChipFields &fields) const;
 
@@ -102,6 +124,7 @@ namespace asperity
     n_gauss_of_cell() const;
 
     unsigned int n_subdivisions, n_gauss_points, n_functions;
+    CellShare    share;
 
     /** 0 if the space is not periodic [m]. */
     double period;
