@@ -121,6 +121,7 @@ def result_section(summary):
               percent(value_of(summary, "accuracy", "error")),
               "mesh, steps, penalty" if "accuracy" in summary
               else "not estimated"),
+             *corrected_tile(summary),
              ("contact fraction",
               percent(summary.get("contact_fraction"), 3), None),
              ("largest plastic strain",
@@ -162,6 +163,14 @@ def result_section(summary):
     return Section("Result", tiles(shown), facts(rows))
 
 
+def corrected_tile(summary):
+    mu = value_of(summary, "accuracy", "corrected_mu")
+    if mu is None:
+        return []
+    error = percent(value_of(summary, "accuracy", "uncertainty"))
+    return [("µ corrected for it", number(mu), f"± {error}")]
+
+
 def mesh_text(mesh):
     if not isinstance(mesh, dict):
         return None
@@ -199,10 +208,16 @@ def accuracy_section(summary):
                 ("mesh", "mesh", "bar"), ("time steps", "step", "bar"),
                 ("penalty of the contact", "penalty", "bar"),
                 ("together", "error", "bar total"),
+                ("left if µ is corrected", "uncertainty", "bar"),
                 ("wanted (Accuracy/Error)", "wanted", "bar wanted"))
             if isinstance(accuracy.get(key), (int, float))]
+    left = accuracy.get("uncertainty")
     remark = ("This is within what is wanted." if total <= wanted else
-              "This is more than what is wanted.")
+              "This is more than what is wanted." if left is None else
+              "This is more than what is wanted, and so is what is left if µ is "
+              "corrected for it." if left > wanted else
+              "This is more than what is wanted; what is left if µ is corrected "
+              "for it, to " + number(accuracy.get("corrected_mu")) + ", is not.")
     return Section(title, tag("p", "Numerical error of µ, estimated by coarser "
                               "companions of the run. " + remark),
                    table(("source", "of µ", "in µ", ""), rows, (1, 2)))

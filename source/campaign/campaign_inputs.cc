@@ -286,6 +286,7 @@ namespace asperity
     lowest.declarator.write_prm(text);
     base_scene_text = text.str();
     base_scene      = lowest.record;
+    wants_accuracy  = lowest.parameters.accuracy.is_wanted();
     check_profiles(parameters.profile_positions,
                    *scene,
                    declarator.where("Campaign/Profile positions"));

@@ -28,6 +28,10 @@ namespace asperity
 
     std::string base_scene_text; ///< all entries, files by their full paths
     InputRecord base_scene;      ///< its entries and the contents of its files
+
+    /** Whether the base scene asks for its error or for settings by it, which
+     *  no run of a campaign does. */
+    bool wants_accuracy = false;
   };
 
   /** The entry that tells profiles of a measured tool apart. */

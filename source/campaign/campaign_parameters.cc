@@ -225,7 +225,8 @@ namespace asperity
       const auto in_section = parameters.subsection("Campaign");
       parameters.file("Base scene",
                       base_scene,
-                      "Parameter file of the scene that is varied.",
+                      "Parameter file of the scene that is varied; its "
+                      "Accuracy/Control does not count.",
                       Need::mandatory);
       parameters.text("Output directory",
                       directory,

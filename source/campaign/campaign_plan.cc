@@ -20,6 +20,7 @@ namespace asperity
     is_whole_number  = found.is_whole_number;
     base_scene_text_ = found.base_scene_text;
     base_scene       = found.base_scene;
+    wants_accuracy   = found.wants_accuracy;
   }
 
 
@@ -79,6 +80,10 @@ namespace asperity
                   " in exported tables (Export at)";
         text += "\n";
       }
+    if (wants_accuracy)
+      text += "  Accuracy/Control of the base scene does not count: all points "
+              "are computed with its mesh, steps and penalty, so that mu does "
+              "not jump where others would be chosen, and are not corrected\n";
     return text;
   }
 

@@ -15,15 +15,24 @@ namespace asperity
     constexpr double cost_of_mesh = 3.5, cost_of_steps = 1.27,
                      cost_of_penalty = 1.1;
 
-    /** Part of the wanted error that an estimate may use up, which is smaller
-     *  than this part of the error in eleven of forty scenes
-     *  (tools/benchmarks/README.md); and that of a choice made on coarser
+    /** Part of the wanted error that may be used up by a choice made on coarser
      *  settings. */
-    constexpr double safety = 0.85, safety_of_choice = 0.7;
+    constexpr double safety_of_choice = 0.8;
 
     /** Most halvings at once, of elements and of the others. Estimates reach no
      *  further. */
     constexpr int most_of_mesh = 2, most = 4;
+    /** Which numbers keep the wanted error. */
+    std::vector<std::string>
+    met_by(const ErrorEstimate &error, const double wanted)
+    {
+      std::vector<std::string> names;
+      if (error.total() <= wanted)
+        names.push_back("mu");
+      if (is_met(error, wanted))
+        names.push_back("corrected_mu");
+      return names;
+    }
   } // namespace
 
 
@@ -64,7 +73,7 @@ namespace asperity
   bool
   is_met(const ErrorEstimate &error, const double wanted)
   {
-    return error.total() <= safety * wanted;
+    return error.uncertainty() <= wanted;
   }
 
 
@@ -92,7 +101,7 @@ namespace asperity
                                last.fineness.step + more.step,
                                last.fineness.penalty + more.penalty};
       const double   cost = relative_cost(more);
-      if (last.error.after(more).total() <= target &&
+      if (last.error.after(more).uncertainty() <= target &&
           (!best || cost < best_cost) && is_possible(candidate))
         {
           best      = candidate;
@@ -137,7 +146,9 @@ namespace asperity
            per_cent(std::abs(round.error.mesh)) + ", steps " +
            per_cent(std::abs(round.error.step)) + ", penalty " +
            per_cent(std::abs(round.error.penalty)) + ", chance " +
-           per_cent(round.error.chance) + "), " +
+           per_cent(round.error.chance) + "), corrected " +
+           format_quantity(round.error.corrected(round.run.mu), "1", 4) +
+           " +- " + per_cent(round.error.uncertainty()) + ", " +
            std::to_string(round.run.unknowns) + " unknowns, " +
            std::to_string(round.run.newton_iterations) + " Newton iterations";
   }
@@ -145,22 +156,27 @@ namespace asperity
 
 
   nlohmann::ordered_json
-  to_json(const AccuracyReport &report)
+  to_json(const AccuracyReport &report, const double mu)
   {
-    const auto of = [](const ErrorEstimate &error) {
-      return nlohmann::ordered_json({{"error", error.total()},
+    const auto of = [](const ErrorEstimate &error, const double mu) {
+      return nlohmann::ordered_json({{"corrected_mu", error.corrected(mu)},
+                                     {"uncertainty", error.uncertainty()},
+                                     {"error", error.total()},
                                      {"mesh", std::abs(error.mesh)},
                                      {"step", std::abs(error.step)},
                                      {"penalty", std::abs(error.penalty)},
-                                     {"chance", error.chance}});
+                                     {"chance", error.chance},
+                                     {"unresolved", error.unresolved}});
     };
     nlohmann::ordered_json summary =
-      report.error ? of(*report.error) : nlohmann::ordered_json();
+      report.error ? of(*report.error, mu) : nlohmann::ordered_json();
     if (report.error)
       summary["by_source"] = {{"mesh", report.error->mesh},
                               {"step", report.error->step},
                               {"penalty", report.error->penalty},
                               {"chance", report.error->chance}};
+    if (report.error)
+      summary["met_by"] = met_by(*report.error, report.wanted);
     summary["wanted"] = report.wanted;
     summary["runs"]   = report.runs;
     summary["cost"]   = report.cost;
@@ -170,7 +186,7 @@ namespace asperity
     for (const AccuracyRound &round : report.rounds)
       {
         const SceneParameters &settings = round.settings;
-        nlohmann::ordered_json entry    = of(round.error);
+        nlohmann::ordered_json entry    = of(round.error, round.run.mu);
         entry["mu"]                     = round.run.mu;
         entry["spans"]                  = settings.mesh.spans;
         entry["refinement_levels"]      = settings.mesh.refinement;

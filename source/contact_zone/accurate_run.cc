@@ -1,4 +1,5 @@
 #include <asperity/base/errors.h>
+#include <asperity/base/quantity.h>
 #include <asperity/contact_zone/accurate_run.h>
 
 #include <algorithm>
@@ -8,16 +9,27 @@ namespace asperity
 {
   namespace
   {
-    /** That mu is off by more than is wanted, most of it by its largest source.
+    /** That a number is off by more than is wanted, most of it by the largest
+     *  source.
      *  @param remedy what makes this smaller */
     std::string
-    excess_of(const ErrorEstimate &error,
-              const double         wanted,
-              const std::string   &remedy)
+    excess_of(const std::string &number,
+              const double       error,
+              const double       wanted,
+              const std::string &remedy)
     {
-      return "mu may be off by " + per_cent(error.total()) +
+      return number + " may be off by " + per_cent(error) +
              " for numerical reasons, more than the " + per_cent(wanted) +
              " that Accuracy/Error wants, most of it by the " + remedy + ".";
+    }
+
+    /** mu that is corrected for its errors, and how far it may be off. */
+    std::string
+    corrected(const ErrorEstimate &error, const double mu)
+    {
+      return "mu corrected for its errors, " +
+             format_quantity(error.corrected(mu), "1", 4) + " +- " +
+             per_cent(error.uncertainty());
     }
 
     /** The largest part of an error, and what makes it smaller. */
@@ -80,12 +92,25 @@ namespace asperity
         }
     }
 
+    /** Which number keeps the wanted error. */
+    std::string
+    success_of(const AccuracyRound &round, const double wanted)
+    {
+      const double total = round.error.total();
+      return corrected(round.error, round.run.mu) + ", keeps the " +
+             per_cent(wanted) + " that Accuracy/Error wants; mu of the run " +
+             (total <= wanted ? "does, too" :
+                                "may be off by " + per_cent(total)) +
+             ".";
+    }
+
     /** That the wanted error needs more unknowns than it may. */
     std::string
     limit_of(const ErrorEstimate &error, const AccuracyParameters &accuracy)
     {
       return excess_of(
-        error,
+        "mu corrected for its errors",
+        error.uncertainty(),
         accuracy.error,
         error.largest() +
           ", and settings that are finer where it matters need more than the " +
@@ -123,9 +148,13 @@ namespace asperity
       {
         const ErrorEstimate error = estimate_error(family, {});
         run.accuracy.error        = error;
-        if (error.total() > parameters.accuracy.error)
+        const double wanted       = parameters.accuracy.error;
+        if (error.total() > wanted)
           run.warnings.push_back(
-            excess_of(error, parameters.accuracy.error, remedy_of(error)));
+            excess_of("mu", error.total(), wanted, remedy_of(error)) +
+            (is_met(error, wanted) ?
+               " " + corrected(error, run.scene->member().mu) + ", is not." :
+               ""));
       }
     catch (const std::runtime_error &failure)
       {
@@ -191,13 +220,14 @@ namespace asperity
         progress.note("round " + std::to_string(run.accuracy.rounds.size()) +
                       ": " + describe(round));
         if (is_met(round.error, wanted))
-          return;
+          {
+            progress.note(success_of(round, wanted));
+            return;
+          }
         const auto next =
           next_fineness(round, wanted, [&](const Fineness &finer) {
             return is_affordable(scene, finer);
           });
-        if (!next && round.error.total() <= wanted)
-          return;
         if (!next)
           {
             run.warnings.push_back(limit_of(round.error, scene.accuracy));

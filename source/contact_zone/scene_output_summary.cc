@@ -251,7 +251,7 @@ namespace asperity
     summary["friction"]         = summarise_friction(run, parameters);
     summary["contact_fraction"] = run.friction().contact_fraction;
     if (accuracy.error)
-      summary["accuracy"] = to_json(accuracy);
+      summary["accuracy"] = to_json(accuracy, run.friction().mu);
     if (scene.lubricant)
       summary["oil"] = summarise_oil(run, scene, parameters);
     if (scene.heat)

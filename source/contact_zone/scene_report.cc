@@ -183,7 +183,11 @@ namespace asperity
                 << error->total() * std::abs(friction.mu) << " (numerics: mesh "
                 << 100. * std::abs(error->mesh) << " %, steps "
                 << 100. * std::abs(error->step) << " %, penalty "
-                << 100. * std::abs(error->penalty) << " %)"
+                << 100. * std::abs(error->penalty)
+                << " %); corrected for these " << std::setprecision(4)
+                << error->corrected(friction.mu) << " +- "
+                << std::setprecision(2)
+                << error->uncertainty() * std::abs(friction.mu)
                 << std::setprecision(4);
     std::cout << ", at the end " << friction.mu_end << ", contact fraction "
               << friction.contact_fraction << "\n";

@@ -123,6 +123,19 @@ TEST_F(Characterize, check_tells_the_plan_and_the_scene_and_writes_nothing)
   EXPECT_FALSE(std::filesystem::exists(folder / "one"));
 }
 
+TEST_F(Characterize, says_that_no_run_chooses_its_settings)
+{
+  const std::string sentence = "Accuracy/Control of the base scene does not";
+  write("one.prm", campaign("one"));
+  EXPECT_EQ(run("check one.prm").output.find(sentence), std::string::npos);
+  write("scene.prm",
+        read("scene.prm") +
+          "subsection Accuracy\n set Control = adaptive\nend\n");
+  const Result checked = run("check one.prm");
+  EXPECT_EQ(checked.status, 0) << checked.errors;
+  EXPECT_NE(checked.output.find(sentence), std::string::npos) << checked.output;
+}
+
 TEST_F(Characterize, a_campaign_is_not_run_as_a_scene)
 {
   write("one.prm", campaign("one"));

@@ -181,6 +181,7 @@ TEST_F(Commands, a_run_tells_the_numerical_error_of_mu_where_that_is_wanted)
   const Result result = run("scene.prm");
   EXPECT_EQ(result.status, 0) << result.errors;
   EXPECT_NE(result.output.find("(numerics: mesh "), std::string::npos);
+  EXPECT_NE(result.output.find("; corrected for these "), std::string::npos);
   EXPECT_NE(result.output.find(
               "for numerical reasons, more than the 0.7 % that "
               "Accuracy/Error wants, most of it by the mesh, "
@@ -204,7 +205,7 @@ TEST_F(Commands, a_run_chooses_its_settings_where_that_is_wanted)
            "end\nsubsection Output\n set Output directory = run\nend\n";
   };
   // Half of the steps and of the penalty, then finer ones.
-  write("scene.prm", scene(" set Error = 0.06\n"));
+  write("scene.prm", scene(" set Error = 0.02\n"));
   Result result = run("scene.prm");
   EXPECT_EQ(result.status, 0) << result.errors;
   EXPECT_NE(result.output.find(
@@ -212,8 +213,15 @@ TEST_F(Commands, a_run_chooses_its_settings_where_that_is_wanted)
             std::string::npos)
     << result.output;
   EXPECT_NE(result.output.find("round 2: "), std::string::npos);
-  EXPECT_EQ(result.output.find("Accuracy/Error wants"), std::string::npos);
-  EXPECT_NE(read("run/summary.json").find("\"rounds\""), std::string::npos);
+  // Which number keeps the error is said, and nobody warns.
+  EXPECT_NE(result.output.find(", keeps the 2 % that Accuracy/Error wants; mu "
+                               "of the run "),
+            std::string::npos)
+    << result.output;
+  EXPECT_EQ(result.output.find("Warning: mu"), std::string::npos);
+  for (const std::string key : {"rounds", "corrected_mu", "met_by"})
+    EXPECT_NE(read("run/summary.json").find('"' + key + '"'),
+              std::string::npos);
   // What was chosen can be repeated, and is in the folder.
   EXPECT_NE(read("run/parameters.prm").find("Control = estimate"),
             std::string::npos);

@@ -267,6 +267,7 @@ TEST_F(Report, a_run_says_its_errors_and_why)
   for (const char *const text : {"(numerics)",
                                  "(spread over time)",
                                  "penalty of the contact",
+                                 "left if µ is corrected",
                                  "below about 4 asperities are jumped over",
                                  "asperity run/parameters.prm",
                                  "set Refinement levels = 1"})

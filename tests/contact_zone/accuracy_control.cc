@@ -1,6 +1,9 @@
 #include <asperity/contact_zone/accuracy_control.h>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
 
 #include "scene_examples.h"
 
@@ -19,13 +22,13 @@ namespace
 
 TEST(AccuracyControl, refines_what_dominates_only)
 {
-  // With 0.7 of the wanted error as the aim: 4 by a halving of the elements,
-  // 2 by one of steps or penalty.
-  EXPECT_EQ(*next_fineness(round_with({0.0278, 0., 0.}), 0.01, anything),
+  // 0.8 of an error is uncertain, and 0.8 of the wanted one is the aim: 4 by a
+  // halving of the elements, 2 by one of steps or penalty.
+  EXPECT_EQ(*next_fineness(round_with({0.0399, 0., 0.}), 0.01, anything),
             (Fineness{0, -1, -1}));
-  EXPECT_EQ(*next_fineness(round_with({0., -0.0278, 0.}), 0.01, anything),
+  EXPECT_EQ(*next_fineness(round_with({0., -0.0399, 0.}), 0.01, anything),
             (Fineness{-1, 1, -1}));
-  EXPECT_EQ(*next_fineness(round_with({0., 0., 0.0281}), 0.01, anything),
+  EXPECT_EQ(*next_fineness(round_with({0., 0., 0.0401}), 0.01, anything),
             (Fineness{-1, -1, 2}));
 }
 
@@ -35,7 +38,7 @@ TEST(AccuracyControl, takes_the_cheapest_of_settings_that_do)
   const std::optional<Fineness> best = next_fineness(last, 0.005, anything);
   ASSERT_TRUE(best);
   const Fineness more{best->mesh + 1, best->step + 1, best->penalty + 1};
-  EXPECT_LE(last.error.after(more).total(), 0.7 * 0.005);
+  EXPECT_LE(last.error.after(more).uncertainty(), 0.8 * 0.005);
   // Every single halving less is too little.
   for (const Fineness &less :
        {Fineness{more.mesh - 1, more.step, more.penalty},
@@ -43,7 +46,7 @@ TEST(AccuracyControl, takes_the_cheapest_of_settings_that_do)
         Fineness{more.mesh, more.step, more.penalty - 1}})
     if (less.mesh >= 0 && less.step >= 0 && less.penalty >= 0)
       {
-        EXPECT_GT(last.error.after(less).total(), 0.7 * 0.005);
+        EXPECT_GT(last.error.after(less).uncertainty(), 0.8 * 0.005);
       }
 }
 
@@ -62,10 +65,29 @@ TEST(AccuracyControl, gives_up_where_the_mesh_may_not_be_refined)
   EXPECT_TRUE(next_fineness(round_with({0., 0.5, 0.}), 1e-4, coarse_only));
 }
 
-TEST(AccuracyControl, leaves_room_below_the_wanted_error)
+TEST(AccuracyControl, is_met_by_mu_that_is_corrected)
 {
-  EXPECT_TRUE(is_met({0.0084, 0., 0.}, 0.01));
-  EXPECT_FALSE(is_met({0.0086, 0., 0.}, 0.01));
+  EXPECT_TRUE(is_met({0.0124, 0., 0.}, 0.01));
+  EXPECT_FALSE(is_met({0.0126, 0., 0.}, 0.01));
+  // Sources that cancel are no less uncertain.
+  EXPECT_FALSE(is_met({0.01, -0.01, 0.}, 0.01));
+}
+
+TEST(AccuracyControl, says_which_mu_keeps_the_wanted_error)
+{
+  AccuracyReport report;
+  report.error  = ErrorEstimate{0.01, 0.008, 0.005};
+  report.wanted = 0.02;
+  // 2.3 % in all; of the root of their squares 0.8.
+  nlohmann::ordered_json json = to_json(report, 0.2);
+  EXPECT_NEAR(json.at("corrected_mu"), 0.1954, 1e-15);
+  EXPECT_NEAR(json.at("uncertainty"), 0.8 * std::sqrt(1.89e-4), 1e-15);
+  EXPECT_EQ(json.at("met_by"), nlohmann::ordered_json({"corrected_mu"}));
+  report.wanted = 0.025;
+  json          = to_json(report, 0.2);
+  EXPECT_EQ(json.at("met_by"), nlohmann::ordered_json({"mu", "corrected_mu"}));
+  report.wanted = 0.01;
+  EXPECT_TRUE(to_json(report, 0.2).at("met_by").empty());
 }
 
 TEST(AccuracyControl, begins_with_half_of_the_entries)

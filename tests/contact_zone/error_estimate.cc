@@ -149,8 +149,10 @@ TEST(ErrorEstimate, takes_less_of_what_is_not_resolved)
     {
       RunFamily family = known_family(
         [&](const Fineness &at) { return at.mesh == 0 ? 1. : 1. + change; });
-      const double mesh = estimate_error(family, {}).mesh;
-      EXPECT_NEAR(mesh, change / 3. / (change > -0.2 ? 2. : 5.), 1e-12);
+      const ErrorEstimate error = estimate_error(family, {});
+      const double        share = change > -0.2 ? 2. : 5.;
+      EXPECT_NEAR(error.mesh, change / 3. / share, 1e-12);
+      EXPECT_NEAR(error.unresolved, 0.5 * change * change, 1e-12);
     }
 }
 
@@ -211,14 +213,48 @@ TEST(ErrorEstimate, is_that_of_the_sum_and_of_what_is_not_known_of_it)
   EXPECT_EQ((ErrorEstimate{-0.002, 0.01, 0., 0.02}).largest(), "mesh");
 }
 
+// Errors are relative to |mu| and positive where mu is too large: a mu of 0.2
+// that is 2 % too large for 0.196 is corrected to this, one of -0.2 for -0.204.
+TEST(ErrorEstimate, corrects_mu_by_the_sum_of_its_sources)
+{
+  const ErrorEstimate error{0.03, -0.015, 0.005, 0.001};
+  EXPECT_NEAR(error.corrected(0.2), 0.196, 1e-15);
+  EXPECT_NEAR(error.corrected(-0.2), -0.204, 1e-15);
+}
+
+TEST(ErrorEstimate, leaves_uncertain_a_part_of_each_source_after_correction)
+{
+  // 3, 4 and 12 make 13; signs do not matter.
+  for (const double sign : {1., -1.})
+    {
+      const ErrorEstimate error{0.003, sign * 0.004, 0.012, 0.005, 0.006};
+      EXPECT_NEAR(error.uncertainty(),
+                  std::sqrt(0.64 * 1.69e-4 + 0.25e-4 + 0.36e-4),
+                  1e-15);
+    }
+}
+
+// The limit is 1; what the correction misses is what is taken for not resolved.
+TEST(ErrorEstimate, corrects_mu_to_its_limit_where_it_converges_smoothly)
+{
+  const double        C = 2e-3, s = -2e-3, e = 5e-4, mu = 1. + C + s + e;
+  RunFamily           family = converging_family(C, s, e);
+  const ErrorEstimate error  = estimate_error(family, {});
+  EXPECT_NEAR(error.corrected(mu),
+              1. + C - C / (1. + 3. * C / mu / 0.1),
+              1e-12);
+  EXPECT_LT(std::abs(error.corrected(mu) - 1.), mu * error.uncertainty());
+}
+
 TEST(ErrorEstimate, falls_by_the_orders_of_its_sources)
 {
   const ErrorEstimate error =
-    ErrorEstimate{0.16, -0.08, 0.02, 0.04}.after({1, 2, 1});
+    ErrorEstimate{0.16, -0.08, 0.02, 0.04, 0.16}.after({1, 2, 1});
   EXPECT_DOUBLE_EQ(error.mesh, 0.04);
   EXPECT_DOUBLE_EQ(error.step, -0.02);
   EXPECT_DOUBLE_EQ(error.penalty, 0.01);
   EXPECT_DOUBLE_EQ(error.chance, 0.01);
+  EXPECT_DOUBLE_EQ(error.unresolved, 0.01);
 }
 
 // One source at a time is made so coarse that it has to be the largest, and the

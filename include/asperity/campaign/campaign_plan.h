@@ -104,6 +104,7 @@ namespace asperity
     std::vector<PlannedPoint> points_;
     std::string               base_scene_text_;
     InputRecord               base_scene;
+    bool                      wants_accuracy = false; ///< of the base scene
     std::string               warning_;
   };
 } // namespace asperity

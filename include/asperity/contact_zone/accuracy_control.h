@@ -42,17 +42,18 @@ namespace asperity
     double       cost = 0.;
   };
 
-  /** As `accuracy` of summary.json shows it. */
+  /** As `accuracy` of summary.json shows it.
+   *  @param mu of the run */
   nlohmann::ordered_json
-  to_json(const AccuracyReport &report);
+  to_json(const AccuracyReport &report, const double mu);
 
   /** Where the choice begins: half of the spans, time steps and penalty of the
    *  entries, or the entries where there is no coarser mesh. */
   Fineness
   cheapest(const SceneParameters &parameters);
 
-  /** Whether the estimate leaves room enough below the wanted relative error.
-   */
+  /** Whether mu that is corrected for its errors keeps the wanted relative
+   *  one; mu itself need not. */
   bool
   is_met(const ErrorEstimate &error, const double wanted);
 
@@ -62,8 +63,9 @@ namespace asperity
   relative_cost(const Fineness &finer);
 
   /**
-   * The cheapest finer settings of which the last round promises the wanted
-   * error, with errors that fall by the orders of their sources. Where none
+   * The cheapest finer settings of which the last round promises that a
+   * corrected mu keeps the wanted error, with errors that fall by the orders of
+   * their sources. Where none
    * within a few halvings does, what dominates is halved.
    * @param wanted relative error of mu
    * @param is_possible whether settings may be taken at all

@@ -30,8 +30,8 @@ namespace asperity
 
   /**
    * Replaces the run, which has not begun, by those at finer and finer settings
-   * until the wanted error is met or no finer ones are possible; each becomes a
-   * companion of the next.
+   * until mu that is corrected for its errors keeps the wanted one or no finer
+   * settings are possible; each becomes a companion of the next.
    * @param file of the scene
    * @param folder of the results, which each round writes anew
    * @param finish is called after each round, to write its summary

@@ -17,12 +17,24 @@ namespace asperity
      *  somewhere in elements: its standard deviation, not negative. */
     double chance = 0.;
 
+    /** What is not known of the error by the mesh, since elements twice as long
+     *  may not resolve the contacts; not negative. */
+    double unresolved = 0.;
+
     /** All of them; not negative: the root of the squares of their sum, of what
      *  is left to chance, and of a share of each, by which it is uncertain. */
     double
     total() const;
 
-    /** What is left of it at settings that are finer by this. */
+    /** mu without these errors: Richardson's extrapolation in all of them. */
+    double
+    corrected(const double mu) const;
+
+    /** How far corrected() may be off, relative to mu; not negative. */
+    double
+    uncertainty() const;
+
+    /** What is left at settings that are finer by this. */
     ErrorEstimate
     after(const Fineness &finer) const;
 
