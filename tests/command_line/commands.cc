@@ -205,7 +205,7 @@ TEST_F(Commands, a_run_chooses_its_settings_where_that_is_wanted)
            "end\nsubsection Output\n set Output directory = run\nend\n";
   };
   // Half of the steps and of the penalty, then finer ones.
-  write("scene.prm", scene(" set Error = 0.02\n"));
+  write("scene.prm", scene(" set Error = 0.04\n"));
   Result result = run("scene.prm");
   EXPECT_EQ(result.status, 0) << result.errors;
   EXPECT_NE(result.output.find(
@@ -214,7 +214,7 @@ TEST_F(Commands, a_run_chooses_its_settings_where_that_is_wanted)
     << result.output;
   EXPECT_NE(result.output.find("round 2: "), std::string::npos);
   // Which number keeps the error is said, and nobody warns.
-  EXPECT_NE(result.output.find(", keeps the 2 % that Accuracy/Error wants; mu "
+  EXPECT_NE(result.output.find(", keeps the 4 % that Accuracy/Error wants; mu "
                                "of the run "),
             std::string::npos)
     << result.output;
