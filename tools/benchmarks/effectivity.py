@@ -9,7 +9,10 @@ Usage: tools/benchmarks/effectivity.py [--asperity PROGRAM] [--to FOLDER]
             reference scenes, and profiles of five surfaces at loads of their
             own, of which those are skipped whose height map is not there
   adaptive  `Accuracy/Control = adaptive` for the wanted error: the error that
-            is left, and the cost over that of the default settings
+            is left in the corrected mu and in that of the last run, and the
+            cost over that of the best fixed settings: the cheapest of 40, 80
+            and 160 spans, 12 + 48 and 24 + 96 steps, default penalty [Pa/m] and
+            half of it, whose mu keeps the error
   remeshing Mesh/Adaptive levels against meshes that are fine along the whole
             edge: mu, unknowns, cost, and what changes of the mesh do to the run
             (--finest 640 is the reference, at 320 spans a fifth of its time)
@@ -42,6 +45,7 @@ import json
 import math
 import os
 import re
+import statistics
 import subprocess
 import sys
 
@@ -62,6 +66,11 @@ FINER = {**DEFAULT, "Mesh/Spans": 320, "Mesh/Refinement levels": 4,
          "Protocol/Slide steps": 192, "Contact/Penalty factor": 16}
 SEEN = {"mesh": 0.75, "step": 0.75, "penalty": 0.875}
 SEEN_BY_ONE = {"mesh": 0.75, "step": 0.5, "penalty": 0.75}
+FIXED = [{"Mesh/Spans": spans, "Mesh/Refinement levels": levels,
+          "Protocol/Ramp steps": steps, "Protocol/Slide steps": 4 * steps,
+          "Contact/Penalty factor": 8 * 160 / spans * penalty}
+         for spans, levels in ((40, 1), (80, 2), (160, 3))
+         for steps in (12, 24) for penalty in (0.5, 1.)]
 FLOOR = 1e-3
 
 
@@ -100,13 +109,19 @@ def total(parts, chance):
     return (sum(parts)**2 + 0.1**2 * squares + chance**2)**0.5
 
 
+def work(summary):
+    """To which the time of a run is nearly proportional."""
+    return summary["mesh"]["unknowns"] * summary["cost"]["newton_iterations"]
+
+
 def within(ratios, low=0.5, high=2.):
     return sum(low <= ratio <= high for ratio in ratios)
 
 
 def estimate(arguments):
-    dry_scene.print_head("scene | mu | off [%] | estimate [%] | mesh | steps | "
-                         "penalty | chance | uncertainty of the reference [%] | "
+    dry_scene.print_head("scene | mu | off [%] | corrected [%] | estimate [%] | "
+                         "mesh | steps | penalty | chance | uncertainty of the "
+                         "reference [%] | "
                          "cost of companions | estimate over error | "
                          "with floor")
     ratios, floored = [], []
@@ -124,9 +139,10 @@ def estimate(arguments):
         floor = max(FLOOR, uncertainty)
         ratios.append(expected / abs(off))
         floored.append(max(expected, floor) / max(abs(off), floor))
-        cost = (summary["mesh"]["unknowns"]
-                * summary["cost"]["newton_iterations"])
+        cost = work(summary)
+        left = off - sum(told[source] * seen[source] for source in seen)
         print(f"| {scene} | {summary['friction']['mu']:.5f} | {100 * off:+.2f} "
+              f"| {100 * left:+.2f} "
               f"| {100 * summary['accuracy']['error']:.2f} | "
               + " | ".join(f"{100 * told[source]:+.2f}" for source in seen)
               + f" | {100 * told['chance']:.2f} | {100 * uncertainty:.2f}"
@@ -139,38 +155,61 @@ def estimate(arguments):
                   f"{max(values):.2f}")
 
 
+def best_fixed(arguments, scene, mu):
+    """The cheapest fixed settings that keep the error, and their cost; None if
+    none do."""
+    for entries in FIXED:  # the dearer ones come later
+        steps, spans = entries["Protocol/Ramp steps"], entries["Mesh/Spans"]
+        factor = entries["Contact/Penalty factor"]
+        summary = cached_run(arguments, scene,
+                             f"fixed_{spans}_{steps}_{factor:g}",
+                             {**DEFAULT, **entries})
+        if (summary is not None
+                and abs(summary["friction"]["mu"] / mu - 1.)
+                <= arguments.error):
+            return f"{spans}, {steps} + {4 * steps}", work(summary)
+    return "none", None
+
+
 def adaptive(arguments):
-    dry_scene.print_head("scene | mu | off [%] | estimate [%] | wanted [%] | "
-                         "rounds | runs | spans | steps | penalty factor | "
-                         "unknowns | cost of the run over default | cost of "
-                         "all over default")
-    met = []
+    dry_scene.print_head("scene | corrected mu | off [%] | uncertainty [%] | "
+                         "mu off [%] | rounds | runs | spans | steps | penalty "
+                         "factor | best fixed settings | cost of the run over "
+                         "theirs | cost of all over theirs")
+    met, last_costs, costs = [], [], []
     for scene in chosen(arguments):
         summary = cached_run(
             arguments, scene, f"adaptive_{arguments.error}",
             {**DEFAULT, "Accuracy/Control": "adaptive",
              "Accuracy/Error": arguments.error})
-        default = cached_run(arguments, scene, "default", DEFAULT)
         mu, _, _ = truth(arguments, scene)
-        if (summary is None or default is None or mu is None
-                or "accuracy" not in summary):
+        if summary is None or mu is None or "accuracy" not in summary:
             print(f"| {scene} | no result |", flush=True)
             continue
         accuracy = summary["accuracy"]
         last = accuracy["rounds"][-1]
-        off = summary["friction"]["mu"] / mu - 1.
-        of_default = (default["mesh"]["unknowns"]
-                      * default["cost"]["newton_iterations"])
+        off = accuracy["corrected_mu"] / mu - 1.
         met.append(abs(off) <= arguments.error)
-        print(f"| {scene} | {summary['friction']['mu']:.5f} | {100 * off:+.2f} "
-              f"| {100 * accuracy['error']:.2f} | {100 * arguments.error:.2g} | "
+        best, cost = best_fixed(arguments, scene, mu)
+        shown = ["", ""]
+        if cost is not None:
+            last_costs.append(last["unknowns"] * last["newton_iterations"]
+                              / cost)
+            costs.append(accuracy["cost"] / cost)
+            shown = [f"{last_costs[-1]:.2f}", f"{costs[-1]:.1f}"]
+        print(f"| {scene} | {accuracy['corrected_mu']:.5f} | {100 * off:+.2f} "
+              f"| {100 * accuracy['uncertainty']:.2f} | "
+              f"{100 * (summary['friction']['mu'] / mu - 1.):+.2f} | "
               f"{len(accuracy['rounds'])} | {accuracy['runs']} | "
               f"{last['spans']} | {last['ramp_steps']} + {last['slide_steps']} "
-              f"| {last['penalty_factor']:g} | {last['unknowns']} | "
-              f"{last['unknowns'] * last['newton_iterations'] / of_default:.2f}"
-              f" | {accuracy['cost'] / of_default:.2f} |", flush=True)
+              f"| {last['penalty_factor']:g} | {best} | "
+              + " | ".join(shown) + " |", flush=True)
     if met:
         print(f"\nmet: {sum(met)} of {len(met)}")
+    if costs:
+        print(f"cost over that of the best fixed settings, median: last run "
+              f"{statistics.median(last_costs):.2f}, all "
+              f"{statistics.median(costs):.1f}")
 
 
 def remeshing(arguments):
@@ -194,7 +233,7 @@ def remeshing(arguments):
 
 
 def print_remeshing(scene, results, reference):
-    def work(summary):
+    def mean_work(summary):
         mesh = summary["mesh"]
         unknowns = mesh.get("remeshing", {}).get("mean_unknowns",
                                                  mesh["unknowns"])
@@ -208,9 +247,9 @@ def print_remeshing(scene, results, reference):
         told = summary["mesh"].get("remeshing")
         mu = summary["friction"]["mu"]
         print(f"| {scene} | {spans} | {adaptive} | {mu:.5f} | "
-              f"{100 * (mu / reference - 1.):+.2f} | {work(summary)[0]} | "
+              f"{100 * (mu / reference - 1.):+.2f} | {mean_work(summary)[0]} | "
               f"{summary['cost']['newton_iterations']} | "
-              f"{work(summary)[1] / work(even)[1]:.2f} | "
+              f"{mean_work(summary)[1] / mean_work(even)[1]:.2f} | "
               + (f"{told['remeshes']} | "
                  f"{100 * told['largest_change_of_mu']:.3f} | "
                  f"{told['drift_of_plastic_work']:.0e} |" if told else "| | |"),
@@ -232,8 +271,7 @@ def check(arguments):
                          "over cost")
     errors, costs = [], []
     reference = cached_run(arguments, "R0_p300_v200_T25", "default", DEFAULT)
-    of_reference = (reference["mesh"]["unknowns"]
-                    * reference["cost"]["newton_iterations"])
+    of_reference = work(reference)
     for scene in chosen(arguments):
         summary = cached_run(arguments, scene, "estimate",
                              {**DEFAULT, "Accuracy/Control": "estimate"})
@@ -244,8 +282,7 @@ def check(arguments):
             arguments, os.path.join(arguments.to, scene, "estimate",
                                     "scene.prm"))
         estimated = summary["accuracy"]["error"]
-        cost = (summary["mesh"]["unknowns"]
-                * summary["cost"]["newton_iterations"] / of_reference)
+        cost = work(summary) / of_reference
         errors.append(error / estimated)
         costs.append(time / cost)
         print(f"| {scene} | {100 * estimated:.2f} | {100 * error:.2f} | "
