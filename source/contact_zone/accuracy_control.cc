@@ -22,6 +22,9 @@ namespace asperity
     /** Most halvings at once, of elements and of the others. Estimates reach no
      *  further. */
     constexpr int most_of_mesh = 2, most = 4;
+
+
+
     /** Which numbers keep the wanted error. */
     std::vector<std::string>
     met_by(const ErrorEstimate &error, const double wanted)
@@ -171,12 +174,13 @@ namespace asperity
     nlohmann::ordered_json summary =
       report.error ? of(*report.error, mu) : nlohmann::ordered_json();
     if (report.error)
-      summary["by_source"] = {{"mesh", report.error->mesh},
-                              {"step", report.error->step},
-                              {"penalty", report.error->penalty},
-                              {"chance", report.error->chance}};
-    if (report.error)
-      summary["met_by"] = met_by(*report.error, report.wanted);
+      {
+        summary["by_source"] = {{"mesh", report.error->mesh},
+                                {"step", report.error->step},
+                                {"penalty", report.error->penalty},
+                                {"chance", report.error->chance}};
+        summary["met_by"]    = met_by(*report.error, report.wanted);
+      }
     summary["wanted"] = report.wanted;
     summary["runs"]   = report.runs;
     summary["cost"]   = report.cost;

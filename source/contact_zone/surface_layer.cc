@@ -205,11 +205,11 @@ namespace asperity
             Column column;
             column.top   = top;
             column.below = stacks.below(e, top);
-            double depth = 0.;
-            for (const auto &[point, weight] : column.below)
-              depth += weight * (height - body.parameter[point][dim - 1]);
-            const double top_depth = height - body.parameter[top][dim - 1];
-            column.beyond          = top_depth / (depth - top_depth);
+            // All of a row are at one depth.
+            const unsigned int below = column.below.front().first;
+            const double       upper = body.parameter[top][dim - 1];
+            column.beyond =
+              (height - upper) / (upper - body.parameter[below][dim - 1]);
             result.push_back(column);
           }
     return result;

@@ -200,8 +200,21 @@ namespace asperity
                           const unsigned int step) const
   {
     std::ostringstream piece;
-    write_piece(piece, fields, time, step, 1);
-    return share.ranks.gather(piece.str());
+    std::string        problem;
+    try
+      {
+        write_piece(piece, fields, time, step, 1);
+      }
+    catch (const ComputationError &error)
+      {
+        problem = error.what();
+      }
+    if (share.ranks.all(problem.empty()))
+      return share.ranks.gather(piece.str());
+    for (const std::string &found : share.ranks.gather(problem))
+      if (!found.empty())
+        throw SharedError(found);
+    throw SharedError("Another rank cannot draw its part of the chip.");
   }
 
 

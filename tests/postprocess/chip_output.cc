@@ -69,6 +69,49 @@ namespace
 
 
 
+// Each of two ranks draws what the other one leaves out.
+TEST(ChipOutput, draws_the_cells_of_a_rank_as_pieces_of_one_picture)
+{
+  const SplineSpace<2> space(uniform(2, 3, 3.), uniform(2, 2, 1.));
+  ChipFields           fields;
+  fields.displacement =
+    vector_field(space, [](const dealii::Point<2> &p) -> std::vector<double> {
+      return {0.1 * p[1], 0.2 * p[0]};
+    });
+  const VtuReader          whole = written({space, {}, 2, 3}, fields);
+  std::vector<std::string> pieces;
+  for (const unsigned int odd : {0, 1})
+    {
+      CellShare share;
+      for (unsigned int cell = 0; cell < space.n_cells(); ++cell)
+        share.owner.push_back((cell + odd) % 2);
+      const auto own =
+        ChipOutput<2>(space, {}, 2, 3, share).pieces(fields, 1e-7, 3);
+      ASSERT_EQ(own.size(), 1u);
+      pieces.push_back(own[0]);
+    }
+  std::ostringstream out;
+  ChipOutput<2>::write(out, pieces);
+  const VtuReader parts(out.str());
+  EXPECT_EQ(parts.n_pieces, 2u);
+  EXPECT_EQ(parts.n_cells, whole.n_cells);
+  EXPECT_EQ(parts.time(), whole.time());
+  std::vector<float> a = parts.points(), b = whole.points();
+  std::sort(a.begin(), a.end());
+  std::sort(b.begin(), b.end());
+  EXPECT_EQ(a, b);
+  // Points of cells are those of their piece.
+  const auto corners = parts.connectivity();
+  EXPECT_EQ(*std::max_element(corners.begin(), corners.end()),
+            static_cast<int>(parts.n_points) - 1);
+
+  fields.displacement[0] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(ChipOutput<2>(space, {}, 2, 3).pieces(fields, 0., 0),
+               SharedError);
+}
+
+
+
 // A bent strip, 1 <= y <= 2 and all x - y^2/4 in [0, 3]: quadratic, so a
 // quadratic space holds the map exactly.
 TEST(ChipOutput, corners_lie_on_the_deformed_curved_geometry)

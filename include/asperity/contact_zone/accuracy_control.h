@@ -65,8 +65,8 @@ namespace asperity
   /**
    * The cheapest finer settings of which the last round promises that a
    * corrected mu keeps the wanted error, with errors that fall by the orders of
-   * their sources. Where none
-   * within a few halvings does, what dominates is halved.
+   * their sources. Where none within a few halvings does, what dominates is
+   * halved.
    * @param wanted relative error of mu
    * @param is_possible whether settings may be taken at all
    * @return nothing if the settings that are needed are not possible

@@ -78,7 +78,8 @@ namespace asperity
           const unsigned int n_periods = 1) const;
 
     /** Collective: what each rank draws of the picture, on the first one; all
-     *  are to have the same fields. */
+     *  are to have the same fields.
+     *  @throws SharedError as write(), on all ranks if on one */
     std::vector<std::string>
     pieces(const ChipFields  &fields,
            const double       time,
