@@ -74,9 +74,13 @@ set_source_files_properties(${CMAKE_SOURCE_DIR}/source/constitutive/johnson_cook
   PROPERTIES COMPILE_OPTIONS "-ffp-contract=fast;-fno-math-errno")
 
 # Sources that are not compiled together with others of their room: parts of a
-# class that all end with its explicit instantiation, and problems that number
-# their boundaries each in its own way.
-set(apart contact/contact_state contact/shear_results contact_zone/sliding_run_interface
+# class that all end with its explicit instantiation, problems that number
+# their boundaries each in its own way, and those through which others of their room
+# would link the program asperity, which starts at once, to deal.II and MPI.
+set(apart base/archive base/commented_parameters base/input_record base/mpi_session
+  base/parameter_file base/parameter_kinds base/parameter_output base/parameters base/ranks
+  experiment/conditions_command experiment/experiment_parameters
+  contact/contact_state contact/shear_results contact_zone/sliding_run_interface
   contact_zone/sliding_run_results fluid_structure/enclosed_domain
   fluid_structure/inflatable_box fluid_structure/lined_channel)
 list(TRANSFORM apart PREPEND ${CMAKE_SOURCE_DIR}/source/)

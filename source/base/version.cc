@@ -1,24 +1,15 @@
 #include <asperity/base/version.h>
 
-#include <deal.II/base/config.h>
-
 #include <nlohmann/json.hpp>
 
-// ASPERITY_VERSION, ASPERITY_GIT_REVISION and ASPERITY_BUILD_TYPE are defined
-// for this file alone, by cmake/Version.cmake.
+#include <utility>
+
+// ASPERITY_VERSION and what stands beside it below are defined for this file
+// alone, by cmake/Version.cmake; deal.II's own header would bring its libraries
+// along.
 
 namespace asperity
 {
-  namespace
-  {
-    std::string
-    dotted(const int major, const int minor, const int subminor)
-    {
-      return std::to_string(major) + "." + std::to_string(minor) + "." +
-             std::to_string(subminor);
-    }
-  } // namespace
-
   std::string
   version()
   {
@@ -38,17 +29,12 @@ namespace asperity
     json["asperity"]     = version();
     json["git_revision"] = git_revision();
     json["build_type"]   = ASPERITY_BUILD_TYPE;
-    json["deal.II"]      = DEAL_II_PACKAGE_VERSION;
-#ifdef DEAL_II_WITH_TRILINOS
-    json["Trilinos"] = dotted(DEAL_II_TRILINOS_VERSION_MAJOR,
-                              DEAL_II_TRILINOS_VERSION_MINOR,
-                              DEAL_II_TRILINOS_VERSION_SUBMINOR);
-#endif
-#ifdef DEAL_II_WITH_P4EST
-    json["p4est"] = dotted(DEAL_II_P4EST_VERSION_MAJOR,
-                           DEAL_II_P4EST_VERSION_MINOR,
-                           DEAL_II_P4EST_VERSION_SUBMINOR);
-#endif
+    for (const auto &[library, version] :
+         {std::pair("deal.II", ASPERITY_DEAL_II_VERSION),
+          std::pair("Trilinos", ASPERITY_TRILINOS_VERSION),
+          std::pair("p4est", ASPERITY_P4EST_VERSION)})
+      if (*version != '\0') // deal.II was built with it
+        json[library] = version;
     return json;
   }
 

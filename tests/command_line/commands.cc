@@ -32,6 +32,15 @@ TEST_F(Commands, version_names_the_libraries)
   EXPECT_NE(result.output.find("deal.II"), std::string::npos);
 }
 
+TEST_F(Commands, start_without_the_libraries_of_deal_ii)
+{
+  // Two hundred libraries, whose loading takes longer than an answer of a law.
+  const Result loaded = run("", "LD_TRACE_LOADED_OBJECTS=1");
+  EXPECT_NE(loaded.output.find("libc.so"), std::string::npos) << loaded.errors;
+  for (const std::string library : {"deal.ii", "trilinos", "libmpi"})
+    EXPECT_EQ(loaded.output.find(library), std::string::npos) << library;
+}
+
 TEST_F(Commands, the_listed_parameters_are_a_valid_scene)
 {
   const Result listed = run("parameters");
