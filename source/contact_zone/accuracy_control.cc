@@ -68,7 +68,10 @@ namespace asperity
   cheapest(const SceneParameters &parameters)
   {
     // A coarser one is for the companions, and should be none of the coarsest.
-    return {has_mesh(parameters, -3) ? -1 : 0, -1, -1};
+    int mesh = 0;
+    while (mesh > -2 && has_mesh(parameters, mesh - 3))
+      --mesh;
+    return {mesh, -1, -1};
   }
 
 

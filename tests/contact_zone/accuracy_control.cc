@@ -90,9 +90,12 @@ TEST(AccuracyControl, says_which_mu_keeps_the_wanted_error)
   EXPECT_TRUE(to_json(report, 0.2).at("met_by").empty());
 }
 
-TEST(AccuracyControl, begins_with_half_of_the_entries)
+TEST(AccuracyControl, begins_with_coarse_entries)
 {
-  SceneParameters parameters; // 160 spans: 80, 40, 20 are there
+  SceneParameters parameters; // 160 spans: 80, 40, 20, 10 are there
+  EXPECT_EQ(cheapest(parameters), (Fineness{-2, -1, -1}));
+  parameters.mesh.spans      = 80;
+  parameters.mesh.refinement = 2; // 40, 20, 10
   EXPECT_EQ(cheapest(parameters), (Fineness{-1, -1, -1}));
   EXPECT_EQ(cheapest(coarse_scene()), (Fineness{0, -1, -1}));
 }

@@ -47,8 +47,8 @@ namespace asperity
   nlohmann::ordered_json
   to_json(const AccuracyReport &report, const double mu);
 
-  /** Where the choice begins: half of the spans, time steps and penalty of the
-   *  entries, or the entries where there is no coarser mesh. */
+  /** Where the choice begins: half of the time steps and penalty of the
+   *  entries, and a quarter of their spans; half or all where these are few. */
   Fineness
   cheapest(const SceneParameters &parameters);
 
