@@ -65,29 +65,31 @@ namespace asperity
       }
 
     private:
-      /** The 64 steps on one block. */
-      void
-      add_block(const char *block)
+      using State = std::array<std::uint32_t, 4>;
+
+      /** Its 16 steps, whose numbers are known to the compiler: unrolled they
+       *  take a third of the instructions. */
+      template <unsigned int round>
+      static void
+      add_round(const std::uint32_t *const words, State &state)
       {
-        static const unsigned int shifts[4][4] = {{7, 12, 17, 22},
-                                                  {5, 9, 14, 20},
-                                                  {4, 11, 16, 23},
-                                                  {6, 10, 15, 21}};
-        static const unsigned int factors[]    = {1, 5, 3, 7};
-        static const unsigned int offsets[]    = {0, 1, 5, 0};
-        static const auto         constants    = sines();
-        std::uint32_t             words[16];
-        std::memcpy(words, block, sizeof(words));
-        auto [a, b, c, d] = state;
-        for (unsigned int i = 0; i < 64; ++i)
+        static constexpr unsigned int shifts[4][4]       = {{7, 12, 17, 22},
+                                                            {5, 9, 14, 20},
+                                                            {4, 11, 16, 23},
+                                                            {6, 10, 15, 21}};
+        static constexpr unsigned int factors[]          = {1, 5, 3, 7};
+        static constexpr unsigned int offsets[]          = {0, 1, 5, 0};
+        static const std::array<std::uint32_t, 64> table = sines();
+        auto &[a, b, c, d]                               = state;
+#pragma GCC unroll 16
+        for (unsigned int i = 0; i < 16; ++i)
           {
-            const unsigned int  round = i / 16;
-            const std::uint32_t mix   = round == 0 ? (b & c) | (~b & d) :
-                                        round == 1 ? (d & b) | (~d & c) :
-                                        round == 2 ? b ^ c ^ d :
-                                                     c ^ (b | ~d);
+            const std::uint32_t mix = round == 0 ? (b & c) | (~b & d) :
+                                      round == 1 ? (d & b) | (~d & c) :
+                                      round == 2 ? b ^ c ^ d :
+                                                   c ^ (b | ~d);
             const std::uint32_t sum =
-              a + mix + constants[i] +
+              a + mix + table[16 * round + i] +
               words[(factors[round] * i + offsets[round]) % 16];
             const unsigned int shift = shifts[round][i % 4];
             a                        = d;
@@ -95,14 +97,24 @@ namespace asperity
             c                        = b;
             b += sum << shift | sum >> (32 - shift);
           }
-        state[0] += a;
-        state[1] += b;
-        state[2] += c;
-        state[3] += d;
       }
 
-      std::array<std::uint32_t, 4> state = {
-        {0x67452301, 0xefcdab89, 0x98badcfe, 0x10325476}};
+      /** The 64 steps on one block. */
+      void
+      add_block(const char *block)
+      {
+        std::uint32_t words[16];
+        std::memcpy(words, block, sizeof(words));
+        State next = state;
+        add_round<0>(words, next);
+        add_round<1>(words, next);
+        add_round<2>(words, next);
+        add_round<3>(words, next);
+        for (unsigned int i = 0; i < 4; ++i)
+          state[i] += next[i];
+      }
+
+      State         state = {{0x67452301, 0xefcdab89, 0x98badcfe, 0x10325476}};
       std::uint64_t n_bytes = 0;
       std::string   rest; ///< less than a block
     };
