@@ -231,7 +231,8 @@ namespace asperity
       return {};
     std::vector<std::string> sentences = {
       models_for(parameters, scene),
-      "Forecast (time good for a factor of 2, the error in six of ten scenes; "
+      "Forecast (good for a factor of 2: time in ten of ten scenes, the error "
+      "in nine before its sources cancel and in six as it is; "
       "Accuracy/Control = estimate tells it): " +
         describe(forecast(numbers, oil)) + "."};
     const double wanted = parameters.accuracy.error;

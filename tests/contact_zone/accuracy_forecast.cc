@@ -140,7 +140,7 @@ TEST(AccuracyForecast, advises_settings_for_the_wanted_error)
   // Heat gets 2 (45/(7800 450) 0.25e-6)^(1/2) m = 3.6 um far, the tool is
   // 0.68 um rough.
   EXPECT_EQ(advice[0], "Recommended models: dry, quasi-static, conducting.");
-  EXPECT_EQ(advice[1].find("Forecast (time good for a factor of 2, "), 0u);
+  EXPECT_EQ(advice[1].find("Forecast (good for a factor of 2: time "), 0u);
   EXPECT_NE(advice[1].find("numerical error of mu about "), std::string::npos);
   EXPECT_EQ(advice[2].find("For 0.7 %: Mesh/Spans = "), 0u) << advice[2];
   parameters.accuracy.error = 0.;

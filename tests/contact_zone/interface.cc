@@ -117,8 +117,6 @@ TEST(InterfaceOfScene, shares_of_a_rough_contact_add_up_to_mu)
                 1e-3 * run.load());
 }
 
-// In full contact mu p = m k: the chip has the length of the tool, and what
-// that is longer than the period, its slopes take from the force along it.
 TEST(InterfaceOfScene, spots_beside_a_full_pocket_are_wet)
 {
   // Oil everywhere: the dry m does not count.
@@ -155,6 +153,8 @@ TEST(InterfaceOfScene, spots_know_which_part_of_a_film_is_full)
   EXPECT_GT(*most - *least, 0.1);
 }
 
+// In full contact mu p = m k: the chip has the length of the tool, and what
+// that is longer than the period, its slopes take from the force along it.
 TEST(InterfaceOfScene, hot_chip_that_touches_everywhere_slides_at_m_k)
 {
   SceneParameters parameters        = coarse_scene();

@@ -17,8 +17,9 @@ Usage: tools/benchmarks/effectivity.py [--asperity PROGRAM] [--to FOLDER]
             edge: mu, unknowns, cost, and what changes of the mesh do to the run
             (--finest 640 is the reference, at 320 spans a fifth of its time)
   check     error and time that `asperity check` predicts for these settings
-            against the run and its estimate, on ten profiles that no constant
-            was fitted to (--scenes fresh)
+            against the run and its estimate, with its signed sources and with
+            the root of their squares, before they cancel, on ten profiles that
+            no constant was fitted to (--scenes fresh)
 
 Tables go to the screen in Markdown. Runs that are done stay in FOLDER (default
 output/effectivity) and are not repeated, so that the tool can be stopped and
@@ -266,10 +267,11 @@ def prediction(arguments, file):
 
 
 def check(arguments):
-    dry_scene.print_head("scene | estimate [%] | predicted [%] | predicted over "
-                         "estimate | cost over R0's | predicted | predicted "
+    dry_scene.print_head("scene | estimate [%] | sources, uncancelled [%] | "
+                         "predicted [%] | predicted over estimate | over "
+                         "sources | cost over R0's | predicted | predicted "
                          "over cost")
-    errors, costs = [], []
+    errors, of_sources, costs = [], [], []
     reference = cached_run(arguments, "R0_p300_v200_T25", "default", DEFAULT)
     of_reference = work(reference)
     for scene in chosen(arguments):
@@ -282,15 +284,18 @@ def check(arguments):
             arguments, os.path.join(arguments.to, scene, "estimate",
                                     "scene.prm"))
         estimated = summary["accuracy"]["error"]
+        sources = sum(part**2 for part in
+                      summary["accuracy"]["by_source"].values())**0.5
         cost = work(summary) / of_reference
         errors.append(error / estimated)
+        of_sources.append(error / sources)
         costs.append(time / cost)
-        print(f"| {scene} | {100 * estimated:.2f} | {100 * error:.2f} | "
-              f"{errors[-1]:.2f} | {cost:.2f} | {time:.2f} | {costs[-1]:.2f} |",
-              flush=True)
+        print(f"| {scene} | {100 * estimated:.2f} | {100 * sources:.2f} | "
+              f"{100 * error:.2f} | {errors[-1]:.2f} | {of_sources[-1]:.2f} | "
+              f"{cost:.2f} | {time:.2f} | {costs[-1]:.2f} |", flush=True)
     if errors:
-        print(f"\nwithin a factor of 2: error {within(errors)}, cost "
-              f"{within(costs)} of {len(errors)}")
+        print(f"\nwithin a factor of 2: error {within(errors)}, sources "
+              f"{within(of_sources)}, cost {within(costs)} of {len(errors)}")
 
 
 def chosen(arguments):
