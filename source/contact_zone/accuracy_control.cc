@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace asperity
@@ -14,6 +15,10 @@ namespace asperity
      *  Newton iterations of R0 (parameter_files/reference_scenes/README.md). */
     constexpr double cost_of_mesh = 3.5, cost_of_steps = 1.27,
                      cost_of_penalty = 1.1;
+
+    /** Wanted error for which a quarter of the spans are a good start: fewer
+     *  for less lose more rounds, and end where estimates mislead. */
+    constexpr double coarsest_start = 0.02;
 
     /** Part of the wanted error that may be used up by a choice made on coarser
      *  settings. */
@@ -67,9 +72,13 @@ namespace asperity
   Fineness
   cheapest(const SceneParameters &parameters)
   {
-    // A coarser one is for the companions, and should be none of the coarsest.
-    int mesh = 0;
-    while (mesh > -2 && has_mesh(parameters, mesh - 3))
+    // By order 2; a coarser mesh is for the companions, and should be none of
+    // the coarsest.
+    const double halvings =
+      0.5 * std::log2(coarsest_start / parameters.accuracy.error);
+    const long start = std::lround(std::clamp(halvings - 2., -2., 0.));
+    int        mesh  = 0;
+    while (mesh > start && has_mesh(parameters, mesh - 3))
       --mesh;
     return {mesh, -1, -1};
   }

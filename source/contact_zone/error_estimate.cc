@@ -120,9 +120,10 @@ namespace asperity
       "times; "
       "`adaptive`: runs at finer and finer settings until the corrected mu "
       "keeps the wanted error, as it did in nine of ten scenes that were "
-      "tried, beginning with a quarter of the Spans and half of the Ramp "
-      "steps, Slide steps and penalty of the file, each round refining what "
-      "costs least; `off`: nobody tells it.");
+      "tried, beginning with half of the Ramp steps, Slide steps and penalty "
+      "of the file and, for an Error of 2, 0.7 and 0.2 %, with a quarter, "
+      "half and all of its Spans, each round refining what costs least; "
+      "`off`: nobody tells it.");
     parameters.number("Error",
                       error,
                       Range{0., 0.5, true, true},

@@ -93,7 +93,17 @@ TEST(AccuracyControl, says_which_mu_keeps_the_wanted_error)
 TEST(AccuracyControl, begins_with_coarse_entries)
 {
   SceneParameters parameters; // 160 spans: 80, 40, 20, 10 are there
-  EXPECT_EQ(cheapest(parameters), (Fineness{-2, -1, -1}));
+  // Elements go with the root of the wanted error.
+  for (const auto &[error, mesh] : {std::pair(0.5, -2),
+                                    std::pair(0.02, -2),
+                                    std::pair(0.007, -1),
+                                    std::pair(0.002, 0),
+                                    std::pair(1e-5, 0)})
+    {
+      parameters.accuracy.error = error;
+      EXPECT_EQ(cheapest(parameters), (Fineness{mesh, -1, -1})) << error;
+    }
+  parameters.accuracy.error  = 0.02;
   parameters.mesh.spans      = 80;
   parameters.mesh.refinement = 2; // 40, 20, 10
   EXPECT_EQ(cheapest(parameters), (Fineness{-1, -1, -1}));
