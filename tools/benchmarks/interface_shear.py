@@ -1,8 +1,7 @@
 #!/usr/bin/python3
 """The shear of the interface against a formula, and what it does to mu.
 
-Usage: tools/benchmarks/interface_shear.py [--asperity PROGRAM] [--to FOLDER]
-                                           TASK
+Usage: tools/benchmarks/interface_shear.py [--asperity PROGRAM] [--to FOLDER] TASK
 
   wave   a rigid wedge that slides on a perfectly plastic body and pushes a wave
          ahead of it, against the formula of Challen and Oxley (1979), for
@@ -17,6 +16,7 @@ Usage: tools/benchmarks/interface_shear.py [--asperity PROGRAM] [--to FOLDER]
   mesh   mu over mesh and time steps for shear factors of 0.5, 0.8 and 0.99
   steps  what the time steps err in the sixteen scenes, against 144 + 384 of them
   fine   mu of the sixteen scenes over the mesh, with steps that are short enough
+  robust R0 from slow to fast and nearly molten: mu and iterations
 
 Tables go to the screen in Markdown, runs into FOLDER (default output/benchmarks).
 Run it on a quiet machine; compare times within one run only.
@@ -362,11 +362,32 @@ def fine(arguments):
                   flush=True)
 
 
+def robust(arguments):
+    print_head("p [MPa] | v [m/min] | T [degC] | mu, iterations at m = 0 | "
+               "0.5 | 0.8 | 0.99")
+    for row in ([300, 0.1, 25], [300, 2000, 25], [1300, 200, 675],
+                [1300, 2000, 1200], [300, 200, 1450]):
+        p, v, T = row
+        for m in (0., 0.5, 0.8, 0.99):
+            summary = run(arguments, f"robust_p{p}_v{v}_T{T}_m{m}",
+                          {**SETTINGS, **shear(m), "Mesh/Spans": 80,
+                           "Mesh/Refinement levels": 2,
+                           "Load/Pressure": f"{p} MPa",
+                           "Load/Velocity": f"{v} m/min",
+                           "Load/Temperature": f"{T} degC",
+                           "Protocol/Sliding distance": "0.8 um"},
+                          reference_scene("R0", (300, 200, 25)), may_fail=True)
+            row.append("-" if summary is None else
+                       f"{summary['friction']['mu']:.3f}, "
+                       f"{summary['cost']['newton_iterations']}")
+        print("| " + " | ".join(map(str, row)) + " |", flush=True)
+
+
 def main():
     parser = arguments_of(__doc__)
     tasks = {"wave": wave, "standing": standing, "junction": junction,
              "cases": cases, "mesh": mesh, "steps": steps,
-             "fine": fine}
+             "fine": fine, "robust": robust}
     parser.add_argument("task", choices=tasks)
     arguments = parser.parse_args()
     arguments.to = os.path.abspath(arguments.to)
