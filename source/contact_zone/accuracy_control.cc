@@ -16,8 +16,10 @@ namespace asperity
     constexpr double cost_of_mesh = 3.5, cost_of_steps = 1.27,
                      cost_of_penalty = 1.1;
 
-    /** Wanted error for which a quarter of the spans are a good start: fewer
-     *  for less lose more rounds, and end where estimates mislead. */
+    /** Wanted error at which rounds begin with a quarter of the spans. For a
+     *  smaller one some would end there, with short steps and stiff penalties,
+     *  where estimates mislead (tools/benchmarks/README.md, "What is chosen").
+     */
     constexpr double coarsest_start = 0.02;
 
     /** Part of the wanted error that may be used up by a choice made on coarser
