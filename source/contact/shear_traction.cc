@@ -145,7 +145,7 @@ namespace asperity
         pressure[a]               = pressures[a].value;
         const ShearStrength limit = law.strength(
           {pressures[a].value, mean_k[a], mean_touching[a], mean_wet[a]});
-        return_to(limit, pressures[a].slope, a);
+        return_to(limit, pressures[a].slope, mean_touching[a], a);
       }
     for (unsigned int k = 0; k < dim - 1; ++k)
       point_traction[k] = tractions.at_points(traction[k]);
@@ -157,6 +157,7 @@ namespace asperity
   void
   ShearTraction<dim>::return_to(const ShearStrength &limit,
                                 const double         pressure_slope,
+                                const double         mean_touching,
                                 const unsigned int   a)
   {
     Tensor<1, dim - 1> trial, e;
@@ -168,6 +169,8 @@ namespace asperity
     if (size > 0.)
       e = trial / size;
     sticks[a] = size < limit.value;
+    // Where all points are closed or all are open none is closing.
+    const bool is_closing = mean_touching > 0. && mean_touching < 1.;
     // By the trial along e nothing grows, across it what turns.
     const double turns = size > 0. ? penalty * limit.value / size : 0.;
     for (unsigned int k = 0; k < dim - 1; ++k)
@@ -175,7 +178,8 @@ namespace asperity
         traction[k][a] = sticks[a] ? trial[k] : e[k] * limit.value;
         by_gap[k][a] =
           sticks[a] ? 0. : e[k] * limit.by_pressure * pressure_slope;
-        by_touching[k][a] = sticks[a] ? 0. : e[k] * limit.by_touching;
+        by_touching[k][a] =
+          sticks[a] || !is_closing ? 0. : e[k] * limit.by_touching;
         for (unsigned int l = 0; l < dim - 1; ++l)
           {
             const double unit = k == l ? 1. : 0.;

@@ -231,15 +231,26 @@ namespace asperity
     const std::vector<Vectors> other =
       same ? std::vector<Vectors>() : moments(factors, w);
     const std::vector<Vectors> &of_w = same ? of_v : other;
+    std::vector<unsigned int>   dofs;
+    std::vector<double>         row;
     for (unsigned int a = 0; a < of_v.size(); ++a)
-      for (unsigned int k = 0; k < of_v[a].size(); ++k)
-        for (unsigned int l = 0; l < of_w[a].size(); ++l)
-          for (unsigned int i = 0; i < dim; ++i)
-            for (unsigned int j = 0; j < dim; ++j)
-              tangent.add(
-                displacement_dof<dim>(edge_functions[neighbours[a][k]], i),
-                displacement_dof<dim>(edge_functions[neighbours[a][l]], j),
-                factors[a] / weight[a] * of_v[a][k][i] * of_w[a][l][j]);
+      {
+        const unsigned int n = of_v[a].size();
+        dofs.resize(dim * n);
+        row.resize(dim * n);
+        for (unsigned int m = 0; m < dim * n; ++m)
+          dofs[m] =
+            displacement_dof<dim>(edge_functions[neighbours[a][m / dim]],
+                                  m % dim);
+        for (unsigned int k = 0; k < dim * n; ++k)
+          {
+            const double of_row =
+              factors[a] / weight[a] * of_v[a][k / dim][k % dim];
+            for (unsigned int l = 0; l < dim * n; ++l)
+              row[l] = of_row * of_w[a][l / dim][l % dim];
+            tangent.add(dofs[k], dim * n, dofs.data(), row.data());
+          }
+      }
   }
 
 
@@ -251,30 +262,9 @@ namespace asperity
                                     const Vectors             &w,
                                     Matrix                    &tangent) const
   {
-    if (dim == 3)
-      {
-        for (unsigned int e = 0; e < table.elements.size(); ++e)
-          if (own_elements[e])
-            add_pointwise_of(e, factors, v, w, tangent);
-        return;
-      }
     for (unsigned int e = 0; e < table.elements.size(); ++e)
-      for (unsigned int q = 0; q < table.points_per_element; ++q)
-        {
-          const ElementView<dim> element(table, table.elements[e]);
-          const unsigned int     point  = element.point(q);
-          const double           factor = factors[point] * element.JxW(q);
-          if (factor == 0. || !own_elements[e])
-            continue;
-          for (const unsigned int a : element_columns[e])
-            for (const unsigned int b : element_columns[e])
-              for (unsigned int i = 0; i < dim; ++i)
-                for (unsigned int j = 0; j < dim; ++j)
-                  tangent.add(element.dof(a, i),
-                              element.dof(b, j),
-                              factor * element.N(q, a) * element.N(q, b) *
-                                v[point][i] * w[point][j]);
-        }
+      if (own_elements[e])
+        add_pointwise_of(e, factors, v, w, tangent);
   }
 
 

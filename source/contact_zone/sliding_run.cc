@@ -244,9 +244,12 @@ namespace asperity
     options.maximum_iterations  = parameters.solver.maximum_iterations;
     options.tolerance           = newton_tolerance();
     options.n_energy_components = scene.n_dofs();
+    // Steps resemble the ones before them.
+    options.first_step_ends = state_.rows.back().newton_iterations == 1;
     for (unsigned int augmentations = 0;;)
       {
         ConvergenceReport report = step->solve(u, options, statistics);
+        options.first_step_ends.reset();
         if (!report.converged)
           {
             const std::string in_oil =

@@ -154,22 +154,6 @@ namespace asperity
 
 
   template <int dim>
-  FourierValues<dim>::FourierValues(const FourierValues<dim>        &all,
-                                    const std::vector<unsigned int> &points)
-  {
-    for (unsigned int d = 0; d < dim - 1; ++d)
-      {
-        const Factor &from = all.factors[d];
-        factors[d].reinit(points.size(), from.n());
-        for (unsigned int m = 0; m < from.n(); ++m)
-          for (unsigned int i = 0; i < points.size(); ++i)
-            factors[d](i, m) = from(points[i], m);
-      }
-  }
-
-
-
-  template <int dim>
   unsigned int
   FourierValues<dim>::n_points() const
   {

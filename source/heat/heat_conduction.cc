@@ -24,6 +24,7 @@ namespace asperity
     , material(material)
     , solver(make_direct_solver(DirectSolverKind::cholmod))
     , rise_(space.n_functions())
+    , rise_at_points_(cells.JxW.size())
     , heat_content(space.n_functions())
   {
     make_pattern();
@@ -199,6 +200,7 @@ namespace asperity
     rise_ += change;
     if (continuation)
       continuation->accept(rise_);
+    evaluate_points();
   }
 
 
@@ -213,15 +215,24 @@ namespace asperity
 
 
   template <int dim>
-  Vector
+  void
+  HeatConduction<dim>::evaluate_points()
+  {
+    rise_at_points_ = values_at_points(cells, rise_);
+    if (!share.ranks.are_several())
+      return;
+    std::vector<double> all(rise_at_points_.begin(), rise_at_points_.end());
+    share.ranks.share(share.owner, all);
+    rise_at_points_ = Vector(all.begin(), all.end());
+  }
+
+
+
+  template <int dim>
+  const Vector &
   HeatConduction<dim>::rise_at_points() const
   {
-    const Vector own = values_at_points(cells, rise_);
-    if (!share.ranks.are_several())
-      return own;
-    std::vector<double> all(own.begin(), own.end());
-    share.ranks.share(share.owner, all);
-    return Vector(all.begin(), all.end());
+    return rise_at_points_;
   }
 
 
@@ -262,6 +273,7 @@ namespace asperity
     archive >> fixed_length(rise_, "temperatures of the chip");
     if (continuation)
       continuation->load(archive);
+    evaluate_points();
   }
 
 

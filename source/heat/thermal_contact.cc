@@ -2,11 +2,13 @@
 #include <asperity/base/errors.h>
 #include <asperity/heat/point_values.h>
 #include <asperity/heat/thermal_contact.h>
+#include <asperity/isogeometric/element_view.h>
 
 #include <deal.II/lac/precondition.h>
 #include <deal.II/lac/solver_cg.h>
 
 #include <cmath>
+#include <utility>
 
 namespace asperity
 {
@@ -29,14 +31,6 @@ namespace asperity
         : basis(tool.basis())
         , values(basis, places)
         , response(tool.response(dt))
-      {}
-
-      /** The same at some of the points. */
-      ToolResponse(const ToolResponse<dim>         &all,
-                   const std::vector<unsigned int> &points)
-        : basis(all.basis)
-        , values(all.values, points)
-        , response(all.response)
       {}
 
       /** Coefficients of the flux, of heat by point [W/m^(3 - dim)]. */
@@ -65,25 +59,34 @@ namespace asperity
       Vector                   response;
     };
 
-    /** The points where heat can go over, and s = sqrt(h W) there. */
+    /** The points where heat can go over, mostly a few of the edge, and
+     *  s = sqrt(h W) there. */
+    template <int dim>
     struct Exchange
     {
-      std::vector<unsigned int> points;
-      Vector                    s;
+      std::vector<unsigned int>                              points;
+      std::vector<std::pair<ElementView<dim>, unsigned int>> places;
+      Vector                                                 s;
 
-      template <int dim>
       Exchange(const InterfaceHeat<dim> &interface, const BasisTable<dim> &edge)
       {
-        for (unsigned int q = 0; q < edge.JxW.size(); ++q)
-          if (interface.conductance[q] > 0.)
-            points.push_back(q);
+        for (const auto &entry : edge.elements)
+          {
+            const ElementView<dim> element(edge, entry);
+            for (unsigned int q = 0; q < edge.points_per_element; ++q)
+              if (interface.conductance[element.point(q)] > 0.)
+                {
+                  points.push_back(element.point(q));
+                  places.emplace_back(element, q);
+                }
+          }
         s.reinit(points.size());
         for (unsigned int i = 0; i < points.size(); ++i)
           s(i) =
             std::sqrt(interface.conductance[points[i]] * edge.JxW[points[i]]);
       }
 
-      /** Values at all points, to those where heat goes over. */
+      /** Of values at all points of the edge. */
       Vector
       gather(const Vector &values) const
       {
@@ -94,6 +97,15 @@ namespace asperity
         return result;
       }
 
+      std::vector<dealii::Point<dim - 1>>
+      gather(const std::vector<dealii::Point<dim - 1>> &values) const
+      {
+        std::vector<dealii::Point<dim - 1>> result;
+        for (const unsigned int point : points)
+          result.push_back(values[point]);
+        return result;
+      }
+
       /** The reverse, zero elsewhere. */
       Vector
       spread(const Vector &values, const unsigned int n) const
@@ -101,6 +113,34 @@ namespace asperity
         Vector result(n);
         for (unsigned int i = 0; i < points.size(); ++i)
           result(points[i]) = values(i);
+        return result;
+      }
+
+      /** Values of a spline of the chip. */
+      Vector
+      values(const Vector &coefficients) const
+      {
+        Vector result(points.size());
+        for (unsigned int i = 0; i < points.size(); ++i)
+          {
+            const auto &[element, q] = places[i];
+            for (unsigned int a = 0; a < element.n_functions(); ++a)
+              result(i) += element.N(q, a) * coefficients(element.function(a));
+          }
+        return result;
+      }
+
+      /** Power by function of heat by point. */
+      Vector
+      power(const Vector &heat, const unsigned int n_functions) const
+      {
+        Vector result(n_functions);
+        for (unsigned int i = 0; i < points.size(); ++i)
+          {
+            const auto &[element, q] = places[i];
+            for (unsigned int a = 0; a < element.n_functions(); ++a)
+              result(element.function(a)) += element.N(q, a) * heat(i);
+          }
         return result;
       }
     };
@@ -148,37 +188,35 @@ namespace asperity
 
 
     /**
-     * Heat by point that goes over from chip to tool, s y [W/m^(3 - dim)].
-     * @param respond rise of the chip's coefficients by heat at points
-     * @param difference of the temperatures without exchange, at all points
+     * Heat by point of the exchange that goes over from chip to tool, s y
+     * [W/m^(3 - dim)].
+     * @param chip rise of the chip's coefficients by heat at those points
+     * @param difference of the temperatures there without exchange
      */
-    template <int dim, class Respond>
+    template <int dim, class Response>
     Vector
-    exchanged_heat(const Exchange          &exchange,
+    exchanged_heat(const Exchange<dim>     &exchange,
+                   const Response          &chip,
                    const ToolResponse<dim> &tool,
-                   const BasisTable<dim>   &edge,
-                   const Respond           &respond,
                    const Vector            &difference,
                    unsigned int            &iterations)
     {
-      const unsigned int n       = difference.size();
-      const auto         product = [&](const Vector &y) {
+      const auto product = [&](const Vector &y) {
         Vector heat = y;
         heat.scale(exchange.s);
-        Vector result = exchange.gather(
-          values_at_points(edge, respond(exchange.spread(heat, n))));
-        const Vector flux = tool.flux(heat);
+        Vector       result = exchange.values(chip(heat));
+        const Vector flux   = tool.flux(heat);
         result += tool.rise(flux, Vector(flux.size()));
         result.scale(exchange.s);
         result += y;
         return result;
       };
-      Vector right = exchange.gather(difference);
+      Vector right = difference;
       right.scale(exchange.s);
       Vector y(right.size());
       iterations = conjugate_gradients(product, right, y);
       y.scale(exchange.s);
-      return exchange.spread(y, n);
+      return y;
     }
   } // namespace
 
@@ -222,24 +260,24 @@ namespace asperity
     Vector tool_rise = tool_response.rise(step.tool_flux, remembered);
     tool_rise.add(offset);
 
-    const auto respond = [&](const Vector &heat) {
-      Vector result(power.size());
-      add_point_values(edge, heat, result);
+    const Exchange<dim> exchange(interface, edge);
+    const auto          respond = [&](const Vector &heat) {
+      Vector result = exchange.power(heat, power.size());
       chip.respond(result);
       return result;
     };
     Vector difference = chip_rise;
     difference -= tool_rise;
-    const Exchange exchange(interface, edge);
-    const Vector   heat =
-      exchanged_heat(exchange,
-                     ToolResponse<dim>(tool_response, exchange.points),
-                     edge,
-                     respond,
-                     difference,
-                     step.iterations);
+    const Vector exchanged = exchanged_heat(
+      exchange,
+      respond,
+      ToolResponse<dim>(tool, exchange.gather(interface.places), dt),
+      exchange.gather(difference),
+      step.iterations);
 
-    const Vector from_chip = respond(heat), to_tool = tool_response.flux(heat);
+    const Vector heat      = exchange.spread(exchanged, n);
+    const Vector from_chip = respond(exchanged),
+                 to_tool   = tool_response.flux(heat);
     step.chip_change -= from_chip;
     step.tool_flux += to_tool;
     chip_rise -= values_at_points(edge, from_chip);

@@ -51,7 +51,8 @@ namespace asperity
             u.add(a, d);
             // The full step is mostly accepted and needs a tangent next, unless
             // the iteration is about to end.
-            linearized = trial == 0 && norm > near_end * options.tolerance;
+            linearized = trial == 0 && !is_about_to_end(norm);
+            is_first   = false;
             const bool exists =
               linearized ? system.linearize(u, R) : system.residual(u, R);
             ++(linearized ? statistics.linearizations : statistics.residuals);
@@ -74,6 +75,15 @@ namespace asperity
       }
 
     private:
+      /** Whether a step from where the norm is this one may well converge. */
+      bool
+      is_about_to_end(const double norm) const
+      {
+        if (is_first && options.first_step_ends)
+          return *options.first_step_ends;
+        return norm <= near_end * options.tolerance;
+      }
+
       /** R.d, see NewtonOptions::n_energy_components. */
       double
       energy_slope(const Vector &R, const Vector &d) const
@@ -133,6 +143,7 @@ namespace asperity
       NonlinearSystem     &system;
       const NewtonOptions &options;
       NewtonStatistics    &statistics;
+      bool                 is_first = true; ///< step of the iteration
     };
 
     /**

@@ -1,9 +1,7 @@
 #include <asperity/solvers/finite.h>
 #include <asperity/solvers/unsymmetric_part.h>
 
-#include <deal.II/lac/precondition.h>
-#include <deal.II/lac/solver_control.h>
-#include <deal.II/lac/solver_gmres.h>
+#include <cmath>
 
 namespace asperity
 {
@@ -14,18 +12,9 @@ namespace asperity
     /** Beyond it a factorisation is cheaper. */
     constexpr unsigned int maximum_iterations = 60;
 
-    /** A product in the words of deal.II's solvers. */
-    template <class Product>
-    struct Operator
-    {
-      const Product &product;
-
-      void
-      vmult(Vector &y, const Vector &x) const
-      {
-        product(y, x);
-      }
-    };
+    /** A direction that changes the residual by less, relative, is lost in
+     *  round-off. */
+    constexpr double singular = 1e-10;
   } // namespace
 
 
@@ -101,40 +90,33 @@ namespace asperity
                          const double                             tolerance,
                          Vector                                  &b) const
   {
-    Vector     x(b.size());
-    const auto product = [&](Vector &y, const Vector &z) {
-      x = z;
-      K_inverse(x);
-      y = 0.;
-      vmult_add(y, x);
-      ranks.sum(y.begin(), y.size());
-      constraints.set_zero(y);
-      y += z;
-    };
-    const double          goal = tolerance * b.l2_norm();
-    dealii::SolverControl control(maximum_iterations, goal, false, false);
-    Vector                z(b); // saves the product with a start of zero
-    try
+    const double        goal = tolerance * b.l2_norm();
+    Vector              x(b.size()), r(b);
+    std::vector<Vector> p, q; // directions, and (K + U) p, orthonormal
+    while (r.l2_norm() > goal && p.size() < maximum_iterations)
       {
-        dealii::SolverGMRES<Vector>(control,
-                                    dealii::SolverGMRES<Vector>::AdditionalData(
-                                      maximum_iterations + 2))
-          .solve(Operator<decltype(product)>{product},
-                 z,
-                 b,
-                 dealii::PreconditionIdentity());
+        Vector p_new(r), q_new(b.size());
+        K_inverse(p_new);
+        vmult_add(q_new, p_new);
+        ranks.sum(q_new.begin(), q_new.size());
+        constraints.set_zero(q_new);
+        q_new += r;
+        for (std::size_t i = 0; i < q.size(); ++i)
+          {
+            const double c = q_new * q[i];
+            q_new.add(-c, q[i]);
+            p_new.add(-c, p[i]);
+          }
+        const double length = q_new.l2_norm();
+        if (!(length > singular * r.l2_norm()) || !std::isfinite(length))
+          return false;
+        q.push_back(q_new /= length);
+        p.push_back(p_new /= length);
+        const double a = r * q.back();
+        x.add(a, p.back());
+        r.add(-a, q.back());
       }
-    catch (const dealii::SolverControl::NoConvergence &)
-      {
-        return false;
-      }
-    // Where the sum is singular GMRES believes in what it does not reach.
-    if (!is_finite(z))
-      return false;
-    Vector residual(b.size());
-    product(residual, z); // and x = K^-1 z
-    residual -= b;
-    if (!is_finite(residual) || residual.l2_norm() > 100. * goal)
+    if (!is_finite(x) || !(r.l2_norm() <= goal))
       return false;
     b.swap(x);
     return true;

@@ -154,6 +154,7 @@ namespace asperity
     void
     return_to(const ShearStrength &limit,
               const double         pressure_slope,
+              const double         mean_touching,
               const unsigned int   a);
 
     using Vectors = typename TractionSpace<dim>::Vectors;

@@ -106,8 +106,8 @@ namespace asperity
                          const Vectors                &w,
                          dealii::SparseMatrix<double> &tangent) const;
 
-    /** The part of an element, added as one block: in three dimensions entries
-     *  are too dear to be looked up for each point. */
+    /** The part of an element, added as one block: entries are too dear to be
+     *  looked up for each point. */
     void
     add_pointwise_of(const unsigned int            element,
                      const std::vector<double>    &factors,

@@ -87,10 +87,6 @@ namespace asperity
     FourierValues(const FourierBasis<dim>                   &basis,
                   const std::vector<dealii::Point<dim - 1>> &places);
 
-    /** The same at some of the points. */
-    FourierValues(const FourierValues<dim>        &all,
-                  const std::vector<unsigned int> &points);
-
     unsigned int
     n_points() const;
 

@@ -35,8 +35,8 @@ namespace asperity
    * Vectors have an entry a function; temperatures are rises over the one that
    * the body starts from, so that a body at rest stays there to the last bit.
    *
-   * On several ranks each integrates its own cells; begin_step(), add_source()
-   * and rise_at_points() are collective, and everything else is the same on
+   * On several ranks each integrates its own cells; begin_step(), add_source(),
+   * accept() and load() are collective, and everything else is the same on
    * all of them: each has the whole matrix and its factor.
    */
   template <int dim>
@@ -97,7 +97,7 @@ namespace asperity
     rise() const;
 
     /** The rise at the points of the cells [K]. */
-    Vector
+    const Vector &
     rise_at_points() const;
 
     /** Heat stored beyond that of the start [J/m^(3 - dim)]. */
@@ -117,6 +117,9 @@ namespace asperity
     load(InputArchive &archive);
 
   private:
+    void
+    evaluate_points();
+
     void
     make_pattern();
 
@@ -147,6 +150,7 @@ namespace asperity
     std::unique_ptr<DirectSolver> solver;
 
     Vector rise_;
+    Vector rise_at_points_;
     Vector heat_content; ///< int rho0 c N_a dV [J/(m^(3 - dim) K)]
   };
 } // namespace asperity

@@ -5,6 +5,7 @@
 
 #include <deal.II/lac/vector.h>
 
+#include <optional>
 #include <string>
 
 namespace asperity
@@ -65,6 +66,11 @@ namespace asperity
     /** Norm of the residual, see NonlinearSystem::norm(). */
     double       tolerance          = 1e-8;
     unsigned int maximum_iterations = 25;
+
+    /** Whether the first step is likely to converge, so that no tangent is made
+     *  where it ends; unknown: if it starts close by, as for other steps. Only
+     *  the cost depends on it. */
+    std::optional<bool> first_step_ends;
 
     NewtonMerit merit = NewtonMerit::energy;
 
