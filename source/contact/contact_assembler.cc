@@ -64,8 +64,12 @@ namespace asperity
         share.owner.push_back(cells.owner[element.cell]);
     position.assign(position.size(), nowhere<dim>());
     if (options.interface.law != InterfaceShear::none)
-      shear_.emplace(
-        tractions, table_, options.interface, options.penalty, options.motion);
+      shear_.emplace(tractions,
+                     table_,
+                     options.interface,
+                     options.penalty,
+                     options.element_length,
+                     options.motion);
   }
 
 

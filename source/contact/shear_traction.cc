@@ -64,12 +64,15 @@ namespace asperity
                                     const BasisTable<dim>       &table,
                                     const InterfaceParameters   &parameters,
                                     const double                 penalty,
+                                    const double                 element_length,
                                     const std::array<double, 2> &direction)
     : tractions(tractions)
     , table(table)
     , law(parameters)
     , penalty(parameters.stick_penalty * penalty)
-    , transition(parameters.transition * largest_element(table))
+    , transition(parameters.transition * (element_length > 0. ?
+                                            element_length :
+                                            largest_element(table)))
     , mean_k(tractions.size(), 0.)
     , mean_wet(tractions.size(), 0.)
     , closed_until(table.JxW.size(), 0.)

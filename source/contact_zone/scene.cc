@@ -168,6 +168,12 @@ namespace asperity
     options.penalty            = penalty_;
     options.points_per_element = parameters.contact.quadrature;
     options.interface          = parameters.interface;
+    // Elements that come and go do not change what touches.
+    if (parameters.mesh.adaptive_levels > 0)
+      options.element_length =
+        dim == 2 ? contact_element_length_ :
+                   std::sqrt(area() / parameters.mesh.spans /
+                             parameters.mesh.n_spans_across(length, width));
     if constexpr (dim == 3)
       options.motion = {{motion[0], motion[1]}};
     contact = std::make_unique<ContactAssembler<dim>>(

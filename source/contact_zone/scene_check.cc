@@ -274,8 +274,6 @@ namespace asperity
         fail("a chip that is not flat", "Chip surface/Kind = flat");
       if (p.lubrication.model != LubricantModel::none)
         fail("a lubricant", "Lubrication/Model = none");
-      if (p.interface.law != InterfaceShear::none)
-        fail("an interface that bears shear", "Interface/Shear law = none");
       if (p.heat_model() == HeatModel::conducting)
         fail("heat that is conducted",
              "the Heat model adiabatic or isothermal");

@@ -71,10 +71,7 @@ namespace asperity
         dealii::Timer timer;
         StepStart     start;
         if (adaptation)
-          start = {state_.u_previous,
-                   state_.dt_previous,
-                   state_.time,
-                   scene.chip->history()};
+          start = step_start();
         take_step(
           proposed_step(protocol_.next_time(state_.time) - state_.time));
         if (adaptation)

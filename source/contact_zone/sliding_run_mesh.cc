@@ -1,3 +1,4 @@
+#include <asperity/contact/shear_transfer.h>
 #include <asperity/contact_zone/sliding_run.h>
 #include <asperity/isogeometric/element_view.h>
 #include <asperity/isogeometric/space_transfer.h>
@@ -23,23 +24,31 @@ namespace asperity
       return Vector(coefficients.begin(), coefficients.end());
     }
 
+    template <int dim>
+    std::vector<dealii::Point<dim>>
+    positions(const BasisTable<dim> &edge, const Vector &u)
+    {
+      std::vector<dealii::Point<dim>> x = edge.position;
+      for (const auto &entry : edge.elements)
+        {
+          const ElementView<dim> element(edge, entry);
+          for (unsigned int q = 0; q < edge.points_per_element; ++q)
+            element.add_displacement(q, u, x[element.point(q)]);
+        }
+      return x;
+    }
+
     /** Where closest points may lie: above those of the edge. */
     template <int dim>
     std::vector<dealii::Point<dim - 1>>
     hints(const BasisTable<dim> &edge, const Vector &u)
     {
       std::vector<dealii::Point<dim - 1>> x;
-      for (const auto &entry : edge.elements)
+      for (const dealii::Point<dim> &point : positions(edge, u))
         {
-          const ElementView<dim> element(edge, entry);
-          for (unsigned int q = 0; q < edge.points_per_element; ++q)
-            {
-              dealii::Point<dim> point = edge.position[element.point(q)];
-              element.add_displacement(q, u, point);
-              x.emplace_back();
-              for (unsigned int k = 0; k < dim - 1; ++k)
-                x.back()[k] = point[k];
-            }
+          x.emplace_back();
+          for (unsigned int k = 0; k < dim - 1; ++k)
+            x.back()[k] = point[k];
         }
       return x;
     }
@@ -61,6 +70,22 @@ namespace asperity
                        low->plastic_strain - a->plastic_strain});
     }
   } // namespace
+
+
+
+  template <int dim>
+  typename SlidingRun<dim>::StepStart
+  SlidingRun<dim>::step_start() const
+  {
+    StepStart start;
+    start.u_previous  = state_.u_previous;
+    start.dt_previous = state_.dt_previous;
+    start.time        = state_.time;
+    start.history     = scene.chip->history();
+    if (const ShearTraction<dim> *shear = scene.contact->shear())
+      start.shear = shear->history();
+    return start;
+  }
 
 
 
@@ -143,7 +168,18 @@ namespace asperity
     state_.time        = start.time;
     --state_.step;
     state_.coverage.assign(scene.contact->table().JxW.size(), 0.);
-    scene.contact->set_hints(hints(scene.contact->table(), *first_guess));
+    ContactAssembler<dim> &contact = *scene.contact;
+    contact.set_hints(hints(contact.table(), *first_guess));
+    if (ShearTraction<dim> *shear = contact.shear())
+      shear->set_history(
+        transfer_shear(before,
+                       after,
+                       Edge::top,
+                       contact.options().formulation,
+                       std::lround(std::pow(contact.table().points_per_element,
+                                            1. / (dim - 1))),
+                       start.shear,
+                       positions(contact.table(), state_.u)));
     step = std::make_unique<SolidStep>(*scene.chip,
                                        *scene.equilibrium,
                                        state_.u,
@@ -153,6 +189,10 @@ namespace asperity
 
 
   // Of the members that are defined here.
+  template SlidingRun<2>::StepStart
+  SlidingRun<2>::step_start() const;
+  template SlidingRun<3>::StepStart
+  SlidingRun<3>::step_start() const;
   template double
   SlidingRun<2>::present_friction() const;
   template double

@@ -11,6 +11,8 @@
 #include <optional>
 #include <set>
 
+#include "face_columns.h"
+
 namespace asperity
 {
   namespace
@@ -223,7 +225,7 @@ namespace asperity
     : columns(columns_under(body, edge))
   {
     if (!place_on_grid(body, edge))
-      place_in_cells(body, edge);
+      place_between_cells(body, edge);
     for (const Column &column : columns)
       area.push_back(body.JxW[column.top]);
   }
@@ -264,20 +266,20 @@ namespace asperity
     columns = ordered;
     for (const auto &parameter : edge.parameter)
       {
-        Place place;
-        place.column.fill(0);
-        place.weight.fill(1.);
+        Place place = {{0, 1.}};
         for (unsigned int d = dim - 1; d-- > 0;)
           {
             const auto between = along[d].around(parameter[d]);
-            for (unsigned int i = 0; i < place.column.size(); ++i)
+            Place      finer;
+            for (const auto &[column, weight] : place)
               {
-                const bool is_after = (i >> d) % 2 == 1;
-                place.column[i]     = place.column[i] * along[d].size() +
-                                  (is_after ? between.after : between.before);
-                place.weight[i] *=
-                  is_after ? between.weight : 1. - between.weight;
+                const unsigned int first = column * along[d].size();
+                finer.emplace_back(first + between.before,
+                                   weight * (1. - between.weight));
+                finer.emplace_back(first + between.after,
+                                   weight * between.weight);
               }
+            place = finer;
           }
         places.push_back(place);
       }
@@ -288,46 +290,36 @@ namespace asperity
 
   template <int dim>
   void
-  SurfaceLayer<dim>::place_in_cells(const BasisTable<dim> &body,
-                                    const BasisTable<dim> &edge)
+  SurfaceLayer<dim>::place_between_cells(const BasisTable<dim> &body,
+                                         const BasisTable<dim> &edge)
   {
-    const unsigned int n = points_a_direction(body);
-    // In the order of columns_under().
-    std::map<unsigned int, unsigned int> first_column;
-    for (const auto &element : edge.elements)
-      first_column[element.cell] = 0;
-    unsigned int n_columns = 0;
-    for (auto &cell : first_column)
+    // The columns of an edge are a grid.
+    if constexpr (dim == 3)
       {
-        cell.second = n_columns;
-        n_columns += body.points_per_element / n;
-      }
-    for (const auto &element : edge.elements)
-      for (unsigned int q = 0; q < edge.points_per_element; ++q)
-        {
-          const auto parameter = edge.parameter[element.first_point + q];
-          Place      place;
-          place.column.fill(first_column[element.cell]);
-          place.weight.fill(1.);
-          unsigned int stride = 1;
-          for (unsigned int d = 0; d < dim - 1; ++d, stride *= n)
+        const unsigned int            n = points_a_direction(body);
+        std::vector<dealii::Point<2>> parameters;
+        for (const Column &column : columns)
+          parameters.emplace_back(body.parameter[column.top][0],
+                                  body.parameter[column.top][1]);
+        const FaceColumns face(parameters, n);
+        // In the order of columns_under().
+        std::map<unsigned int, unsigned int> first_column;
+        for (const auto &element : edge.elements)
+          first_column[element.cell] = 0;
+        unsigned int n_columns = 0;
+        for (auto &cell : first_column)
+          {
+            cell.second = n_columns;
+            n_columns += n * n;
+          }
+        for (const auto &element : edge.elements)
+          for (unsigned int q = 0; q < edge.points_per_element; ++q)
             {
-              std::vector<double> abscissae;
-              for (unsigned int i = 0; i < n; ++i)
-                abscissae.push_back(
-                  body.parameter[columns[place.column[0] + i * stride].top][d]);
-              const auto [before, share] =
-                position_between(abscissae, parameter[d]);
-              const double after = std::min(std::max(share, 0.), 1.);
-              for (unsigned int i = 0; i < place.column.size(); ++i)
-                {
-                  const bool is_after = (i >> d) % 2 == 1;
-                  place.column[i] += (before + (is_after ? 1 : 0)) * stride;
-                  place.weight[i] *= is_after ? after : 1. - after;
-                }
+              const auto &x = edge.parameter[element.first_point + q];
+              places.push_back(
+                face.around({x[0], x[1]}, first_column[element.cell]));
             }
-          places.push_back(place);
-        }
+      }
   }
 
 
@@ -356,15 +348,17 @@ namespace asperity
   std::vector<typename SurfaceLayer<dim>::Point>
   SurfaceLayer<dim>::at_edge(const std::vector<MaterialState> &history) const
   {
+    std::vector<Point> tops;
+    for (const Column &column : columns)
+      tops.push_back(at_top(history, column));
     std::vector<Point> points;
     for (const Place &place : places)
       {
         Point sum{0., 0.};
-        for (unsigned int i = 0; i < place.column.size(); ++i)
+        for (const auto &[column, weight] : place)
           {
-            const Point a = at_top(history, columns[place.column[i]]);
-            sum.plastic_strain += place.weight[i] * a.plastic_strain;
-            sum.temperature += place.weight[i] * a.temperature;
+            sum.plastic_strain += weight * tops[column].plastic_strain;
+            sum.temperature += weight * tops[column].temperature;
           }
         points.push_back(sum);
       }

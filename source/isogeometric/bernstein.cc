@@ -126,9 +126,13 @@ namespace asperity
 
 
 
+  template struct BernsteinTable<1>;
   template struct BernsteinTable<2>;
   template struct BernsteinTable<3>;
 
+  template dealii::FullMatrix<double>
+  tensor_transform<1>(const dealii::FullMatrix<double> &,
+                      const DirectionMatrices<1> &);
   template dealii::FullMatrix<double>
   tensor_transform<2>(const dealii::FullMatrix<double> &,
                       const DirectionMatrices<2> &);

@@ -307,6 +307,14 @@ namespace asperity
 
 
   template std::vector<double>
+  transfer_history(const SplineHierarchy<1> &,
+                   const SplineHierarchy<1> &,
+                   const dealii::Quadrature<1> &,
+                   const std::vector<double> &,
+                   const unsigned int,
+                   const unsigned int,
+                   const HistoryRange);
+  template std::vector<double>
   transfer_history(const SplineHierarchy<2> &,
                    const SplineHierarchy<2> &,
                    const dealii::Quadrature<2> &,

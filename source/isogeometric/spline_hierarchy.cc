@@ -221,6 +221,7 @@ namespace asperity
 
 
 
+  template class SplineHierarchy<1>;
   template class SplineHierarchy<2>;
   template class SplineHierarchy<3>;
 } // namespace asperity

@@ -311,6 +311,9 @@ namespace asperity
 
 
 
+  template SplineHierarchy<1>::SplineHierarchy(
+    const std::array<KnotVector, 1> &,
+    const std::vector<CellIndex<1>> &);
   template SplineHierarchy<2>::SplineHierarchy(
     const std::array<KnotVector, 2> &,
     const std::vector<CellIndex<2>> &);

@@ -131,7 +131,6 @@ TEST(MeshAdaptation, refuses_what_would_not_go_over_to_another_mesh)
                                             {"Chip surface/Amplitudes",
                                              "0.02 um"},
                                             {"Chip surface/Phases", "1 rad"}},
-                                           {{"Interface/Shear law", "Coulomb"}},
                                            {{"Heat/Model", "conducting"}},
                                            {{"Protocol/Inertia", "dynamic"}},
                                            {{"Contact/Augmentations", "1"}},

@@ -1,5 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <set>
+
 #include "scene_examples.h"
 
 using namespace asperity;
@@ -127,5 +131,64 @@ TEST(SurfaceLayer, of_a_patch_is_bilinear_over_the_periods)
                   part(at[0], 0) * part(at[1], 1),
                   1e-12);
       EXPECT_NEAR(points[q].temperature, 300. + at[2] / 1e-6, 1e-9);
+    }
+}
+
+// Cells of two sizes, a ridge's along y, have the values of a grid: linear
+// along x between the nearest points, also of cells beside one another.
+TEST(SurfaceLayer, of_cells_of_different_sizes_is_linear_between_lines_of_them)
+{
+  SceneParameters parameters      = narrow_scene();
+  parameters.geometry.width       = 1. / 4. * parameters.geometry.length;
+  parameters.mesh.adaptive_levels = 1;
+  Scene<3>     scene(parameters);
+  const double half = scene.length / 2.;
+  scene.adapt_mesh(
+    parameters, {[&](const dealii::Point<3> &, const dealii::Point<3> &upper) {
+      return upper[0] <= half ? 1u : 0u;
+    }});
+  const BasisTable<3>       &body    = scene.chip->table();
+  std::vector<MaterialState> history = scene.chip->history();
+  std::set<double>           lines;
+  double                     top = 0.;
+  for (const auto &at : body.position)
+    top = std::max(top, at[2]);
+  for (std::size_t q = 0; q < history.size(); ++q)
+    {
+      const auto &at            = body.position[q];
+      history[q].plastic_strain = std::pow(at[0] / scene.length, 2);
+      history[q].temperature    = 300. + at[1] / 1e-6;
+    }
+  for (const auto &element : body.elements)
+    {
+      const auto last =
+        body.position[element.first_point + body.points_per_element - 1];
+      if (top - last[2] > 1e-9)
+        continue;
+      for (unsigned int i = 0; i < body.points_per_element; ++i)
+        lines.insert(
+          std::round(1e15 * body.position[element.first_point + i][0]) * 1e-15);
+    }
+  const std::vector<double> x(lines.begin(), lines.end());
+  const auto                points = scene.surface_layer->at_edge(history);
+  const auto               &edge   = scene.contact->table();
+  std::set<double>          sizes(edge.JxW.begin(), edge.JxW.end());
+  EXPECT_GT(*sizes.rbegin() / *sizes.begin(), 3.);
+  for (std::size_t q = 0; q < points.size(); ++q)
+    {
+      const auto &at    = edge.position[q];
+      const auto  after = std::upper_bound(x.begin(), x.end(), at[0]);
+      if (after == x.begin() || after == x.end())
+        continue;
+      const double a = *(after - 1), b = *after, s = (at[0] - a) / (b - a);
+      EXPECT_NEAR(points[q].plastic_strain,
+                  ((1. - s) * a * a + s * b * b) / std::pow(scene.length, 2),
+                  1e-9);
+      const bool is_inside =
+        at[1] > 0.2 * scene.width && at[1] < 0.8 * scene.width;
+      if (is_inside)
+        {
+          EXPECT_NEAR(points[q].temperature, 300. + at[1] / 1e-6, 1e-6);
+        }
     }
 }

@@ -27,6 +27,10 @@ namespace asperity
 
     InterfaceParameters interface; ///< its shear
 
+    /** Length of the elements that its Transition counts in [m]; 0: of the
+     *  largest one. */
+    double element_length = 0.;
+
     /** Unit vector in the plane, along x and y, near which a body in three
      *  dimensions slides: one of the two tangents follows it. */
     std::array<double, 2> motion = {{1., 0.}};

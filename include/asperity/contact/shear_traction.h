@@ -63,6 +63,7 @@ namespace asperity
   {
   public:
     /** @param penalty epsilon of the pressure [Pa/m]
+     *  @param element_length see ContactOptions
      *  @param motion unit vector along x and y that s_0 follows in three
      *    dimensions; a traction is a mean over points, whose tangents turn
      *    about it
@@ -71,6 +72,7 @@ namespace asperity
                   const BasisTable<dim>       &table,
                   const InterfaceParameters   &parameters,
                   const double                 penalty,
+                  const double                 element_length,
                   const std::array<double, 2> &motion = {{1., 0.}});
 
     /** Evaluates the shear.

@@ -146,7 +146,13 @@ namespace asperity
       dealii::Vector<double>     u_previous;
       double                     dt_previous = 0., time = 0.;
       std::vector<MaterialState> history;
+
+      typename ShearTraction<dim>::History shear; ///< if there is any
     };
+
+    /** Now. */
+    StepStart
+    step_start() const;
 
     bool
     finished() const;

@@ -33,9 +33,11 @@ namespace asperity
     };
 
     /** One for each point of the edge; a strain is not negative. Linear along
-     *  the edge between the material points, in three dimensions bilinear;
-     * where the elements of a face are no grid, only between those of an
-     * element, and constant beyond them. */
+     *  the edge between the material points, in three dimensions bilinear.
+     *  Where the elements of a face are no grid, it is linear along x between
+     *  the nearest points of the same or the next element, and there along y;
+     *  in an element next to it in y, whose points are at other x, between them
+     *  and constant beyond. */
     std::vector<Point>
     at_edge(const std::vector<MaterialState> &history) const;
 
@@ -60,20 +62,17 @@ namespace asperity
     bool
     place_on_grid(const BasisTable<dim> &body, const BasisTable<dim> &edge);
 
-    /** Between the columns of each cell. */
+    /** Between the columns of cells of different sizes. */
     void
-    place_in_cells(const BasisTable<dim> &body, const BasisTable<dim> &edge);
+    place_between_cells(const BasisTable<dim> &body,
+                        const BasisTable<dim> &edge);
 
     Point
     at_top(const std::vector<MaterialState> &history,
            const Column                     &column) const;
 
-    /** A point of the edge between columns. */
-    struct Place
-    {
-      std::array<unsigned int, 1 << (dim - 1)> column;
-      std::array<double, 1 << (dim - 1)>       weight;
-    };
+    /** A point of the edge between columns: their numbers and weights. */
+    using Place = std::vector<std::pair<unsigned int, double>>;
 
     /** Along the first parameter of the edge first. */
     std::vector<Column> columns;
