@@ -76,12 +76,23 @@ namespace asperity
     template <int dim>
     FourierBasis<dim>
     waves_along(const BasisTable<dim>             &face,
+                const Edge                         edge,
+                const MeshParameters              &mesh,
                 const std::array<double, dim - 1> &periods,
                 const unsigned int                 elements_of_shortest)
     {
       std::array<unsigned int, dim - 1> n_waves;
       for (unsigned int d = 0; d < dim - 1; ++d)
-        n_waves[d] = n_elements_along(face, d) / elements_of_shortest;
+        {
+          unsigned int n = n_elements_along(face, d);
+          // Waves stay as they are where the mesh changes: of the finest
+          // elements at the top, at the bottom of the coarsest.
+          if (mesh.adaptive_levels > 0)
+            n = (d == 0 ? mesh.spans :
+                          mesh.n_spans_across(periods[0], periods[dim - 2])) >>
+                (edge == Edge::top ? 0 : mesh.refinement);
+          n_waves[d] = n / elements_of_shortest;
+        }
       return FourierBasis<dim>(periods, n_waves);
     }
   } // namespace
@@ -104,10 +115,11 @@ namespace asperity
     , contact(contact)
     , conduction(chip.table(), space, material, share, rows_of_gradients(chip))
     // shorter waves change nothing (doc/theory.md)
-    , exchange(contact.table(),
-               parameters.heat.tool,
-               waves_along(contact.table(), periods, 2),
-               temperature_of_tool(parameters) - start)
+    , exchange(
+        contact.table(),
+        parameters.heat.tool,
+        waves_along(contact.table(), Edge::top, parameters.mesh, periods, 2),
+        temperature_of_tool(parameters) - start)
     , chip_rise(contact.table().JxW.size(), 0.)
     , tool_rise(chip_rise.size(), temperature_of_tool(parameters) - start)
     , to_tool(chip_rise.size(), 0.)
@@ -119,7 +131,8 @@ namespace asperity
                     dealii::QGauss<dim - 1>(space.degree() + 2),
                     true);
     // The bottom has the coarsest elements, four for the shortest wave.
-    conduction.continue_beyond(bottom, waves_along(bottom, periods, 4));
+    conduction.continue_beyond(
+      bottom, waves_along(bottom, Edge::bottom, parameters.mesh, periods, 4));
   }
 
 
@@ -179,20 +192,28 @@ namespace asperity
     tool_rise = step.tool;
     to_tool   = step.to_tool;
 
-    std::vector<MaterialState> points = chip.history();
-    const Vector               rise   = conduction.rise_at_points();
-    for (unsigned int q = 0; q < points.size(); ++q)
-      {
-        total.plastic += dt * chip.table().JxW[q] * plastic(q);
-        points[q].temperature = start + rise(q);
-      }
-    chip.set_history(points);
+    for (unsigned int q = 0; q < plastic.size(); ++q)
+      total.plastic += dt * chip.table().JxW[q] * plastic(q);
+    warm_points();
     for (unsigned int q = 0; q < friction.size(); ++q)
       total.friction += dt * contact.table().JxW[q] * friction[q];
     total.stored   = conduction.stored();
     total.depth    = conduction.passed_on();
     total.tool     = exchange.heat_of_tool();
     balance_error_ = total.since(before).balance_error();
+  }
+
+
+
+  template <int dim>
+  void
+  SceneHeat<dim>::warm_points()
+  {
+    std::vector<MaterialState> points = chip.history();
+    const Vector               rise   = conduction.rise_at_points();
+    for (unsigned int q = 0; q < points.size(); ++q)
+      points[q].temperature = start + rise(q);
+    chip.set_history(points);
   }
 
 
@@ -289,7 +310,7 @@ namespace asperity
     conduction.save(archive);
     exchange.save(archive);
     archive << chip_rise << tool_rise << to_tool << total.plastic
-            << total.friction << balance_error_;
+            << total.friction << total.stored << balance_error_;
   }
 
 
@@ -303,10 +324,32 @@ namespace asperity
     archive >> fixed_length(chip_rise, "temperatures of the interface") >>
       fixed_length(tool_rise, "temperatures of the interface") >>
       fixed_length(to_tool, "heat fluxes of the interface") >> total.plastic >>
-      total.friction >> balance_error_;
-    total.stored = conduction.stored();
-    total.depth  = conduction.passed_on();
-    total.tool   = exchange.heat_of_tool();
+      total.friction >> total.stored >> balance_error_;
+    total.depth = conduction.passed_on();
+    total.tool  = exchange.heat_of_tool();
+  }
+
+
+
+  template <int dim>
+  void
+  SceneHeat<dim>::take_over(InputArchive   &archive,
+                            const Transfer &of_splines,
+                            const Transfer &of_points)
+  {
+    conduction.load(archive, of_splines);
+    exchange.load(archive);
+    for (std::vector<double> *values : {&chip_rise, &tool_rise, &to_tool})
+      {
+        std::vector<double> before;
+        archive >> before;
+        *values = of_points(before);
+      }
+    archive >> total.plastic >> total.friction >> total.stored >>
+      balance_error_;
+    total.depth = conduction.passed_on();
+    total.tool  = exchange.heat_of_tool();
+    warm_points();
   }
 
 

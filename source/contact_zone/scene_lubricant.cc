@@ -4,6 +4,7 @@
 #include <asperity/lubricant/sheet_pockets.h>
 
 #include <algorithm>
+#include <array>
 
 namespace asperity
 {
@@ -114,11 +115,17 @@ namespace asperity
     initial_unknowns_.reinit(n_dofs());
     if (parameters.lubrication.model != LubricantModel::pocket)
       return;
+    // Pockets of a mesh that changes consist of its finest elements.
+    std::array<unsigned int, 2> size = {{0, 0}};
+    if (parameters.mesh.adaptive_levels > 0)
+      size = {
+        {parameters.mesh.spans, parameters.mesh.n_spans_across(length, width)}};
     lubricant = std::make_unique<SheetPockets>(*space,
                                                geometry,
                                                tool_surface.sheet,
                                                motion,
                                                pocket_options(parameters, oil),
-                                               share_.ranks.is_first());
+                                               share_.ranks.is_first(),
+                                               size);
   }
 } // namespace asperity

@@ -268,9 +268,21 @@ namespace asperity
 
   template <int dim>
   void
-  HeatConduction<dim>::load(InputArchive &archive)
+  HeatConduction<dim>::load(
+    InputArchive &archive,
+    const std::function<std::vector<double>(const std::vector<double> &)>
+      &transfer)
   {
-    archive >> fixed_length(rise_, "temperatures of the chip");
+    Vector rise;
+    archive >> rise;
+    if (transfer)
+      {
+        const auto moved =
+          transfer(std::vector<double>(rise.begin(), rise.end()));
+        rise = Vector(moved.begin(), moved.end());
+      }
+    require_length("temperatures of the chip", rise.size(), rise_.size());
+    rise_ = rise;
     if (continuation)
       continuation->load(archive);
     evaluate_points();

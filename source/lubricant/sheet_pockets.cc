@@ -7,14 +7,15 @@ namespace asperity
 {
   using Vector = dealii::Vector<double>;
 
-  SheetPockets::SheetPockets(const SplineSpace<3>       &space,
-                             const PatchGeometry<3>     &geometry,
-                             const SplineSheet          &tool,
-                             const dealii::Tensor<1, 3> &motion,
-                             const SealedPocketOptions  &options,
-                             const bool                  counts)
+  SheetPockets::SheetPockets(const SplineSpace<3>              &space,
+                             const PatchGeometry<3>            &geometry,
+                             const SplineSheet                 &tool,
+                             const dealii::Tensor<1, 3>        &motion,
+                             const SealedPocketOptions         &options,
+                             const bool                         counts,
+                             const std::array<unsigned int, 2> &size)
     : EnclosedOil(options)
-    , sheet_void(space, geometry, tool)
+    , sheet_void(space, geometry, tool, size)
     , motion(motion)
     , length(tool.period(0))
     , width(tool.period(1))

@@ -1,4 +1,5 @@
 #include <asperity/isogeometric/element_view.h>
+#include <asperity/isogeometric/l2_projection.h>
 #include <asperity/lubricant/sheet_void.h>
 
 #include <deal.II/base/quadrature.h>
@@ -31,29 +32,32 @@ namespace asperity
 
 
 
-  SheetVoid::SheetVoid(const SplineSpace<3>   &space,
-                       const PatchGeometry<3> &geometry,
-                       const SplineSheet      &tool)
+  SheetVoid::SheetVoid(const SplineSpace<3>              &space,
+                       const PatchGeometry<3>            &geometry,
+                       const SplineSheet                 &tool,
+                       const std::array<unsigned int, 2> &size)
     : tool(tool)
     , integral(tool)
     , whole_tool(tool.mean() * tool.period(0) * tool.period(1))
     , n_dofs_(3 * space.n_functions())
-    , table(tabulate_edge(space,
-                          geometry,
-                          Edge::top,
-                          nodes_of_element(space.degree() + 1),
-                          true))
+    , size_(size)
     , n_nodes(space.degree() + 1)
     , face_rule(n_nodes, (3 * space.degree() + 1) / 2)
     , edge_rule(n_nodes, n_nodes + further_points)
   {
-    const auto last = table.points_per_element - 1;
-    for (unsigned int d = 0; d < 2; ++d)
+    if (size[0] > 0)
+      tabulate(space, geometry);
+    else
       {
-        width[d] = table.parameter[last][d] - table.parameter[0][d];
-        size_[d] = std::lround(tool.period(d) / width[d]);
-        width[d] = tool.period(d) / size_[d];
+        table = tabulate_edge(
+          space, geometry, Edge::top, nodes_of_element(n_nodes), true);
+        const auto last = table.points_per_element - 1;
+        for (unsigned int d = 0; d < 2; ++d)
+          size_[d] = std::lround(tool.period(d) / (table.parameter[last][d] -
+                                                   table.parameter[0][d]));
       }
+    for (unsigned int d = 0; d < 2; ++d)
+      width[d] = tool.period(d) / size_[d];
     AssertDimension(n_elements(), table.elements.size());
     entry.resize(n_elements());
     for (unsigned int i = 0; i < table.elements.size(); ++i)
@@ -63,6 +67,47 @@ namespace asperity
               std::lround(begin[1] / width[1]) * size_[0]] = i;
       }
     measure(Vector(n_dofs_));
+  }
+
+
+
+  void
+  SheetVoid::tabulate(const SplineSpace<3>   &space,
+                      const PatchGeometry<3> &geometry)
+  {
+    const auto   hierarchy   = space.hierarchy();
+    const double height      = hierarchy->knots(0, 2).back();
+    const auto   nodes       = nodes_of_element(n_nodes);
+    table.points_per_element = nodes.size();
+    std::vector<double> values;
+    for (unsigned int e = 0; e < n_elements(); ++e)
+      {
+        const Point<3> centre((e % size_[0] + 0.5) * tool.period(0) / size_[0],
+                              (e / size_[0] + 0.5) * tool.period(1) / size_[1],
+                              height);
+        const unsigned int     cell = space.find_cell(centre);
+        BasisTable<3>::Element element;
+        element.cell        = cell;
+        element.first_point = table.parameter.size();
+        const auto rows     = trace_rows(*hierarchy, cell, Edge::top);
+        for (const unsigned int row : rows)
+          element.functions.push_back(space.cell_functions(cell)[row]);
+        for (const Point<2> &node : nodes.get_points())
+          {
+            const Point<3> x((e % size_[0] + node[0]) * tool.period(0) /
+                               size_[0],
+                             (e / size_[0] + node[1]) * tool.period(1) /
+                               size_[1],
+                             height);
+            hierarchy->evaluate(cell, x, values);
+            for (const unsigned int row : rows)
+              element.values.push_back(values[row]);
+            table.parameter.push_back(x);
+            table.position.push_back(geometry.position(space, x));
+          }
+        table.elements.push_back(element);
+      }
+    table.JxW.assign(table.parameter.size(), 0.);
   }
 
 

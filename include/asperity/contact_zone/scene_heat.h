@@ -8,6 +8,7 @@
 #include <asperity/solid/solid_assembler.h>
 
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace asperity
@@ -119,6 +120,22 @@ namespace asperity
     void
     load(InputArchive &archive);
 
+    /** Takes values from another mesh to the present one. */
+    using Transfer =
+      std::function<std::vector<double>(const std::vector<double> &)>;
+
+    /**
+     * Takes what save() wrote on another mesh, and gives the points of the chip
+     * their temperatures; collective. The next balance_error() has what this
+     * changes of the heat that is stored.
+     * @param of_splines for coefficients in the chip
+     * @param of_points for values at the points of the contact
+     */
+    void
+    take_over(InputArchive   &archive,
+              const Transfer &of_splines,
+              const Transfer &of_points);
+
   private:
     /** Rate at which the points have warmed by plastic work [W/m^3]. */
     Vector
@@ -126,6 +143,10 @@ namespace asperity
 
     InterfaceHeat<dim>
     interface(const std::vector<double> &friction) const;
+
+    /** The points of the chip take the temperature of the field. */
+    void
+    warm_points();
 
     const HeatParameters        &parameters;
     const bool                   has_oil;

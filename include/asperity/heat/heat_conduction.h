@@ -12,8 +12,10 @@
 #include <deal.II/lac/sparsity_pattern.h>
 #include <deal.II/lac/vector.h>
 
+#include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace asperity
 {
@@ -112,9 +114,13 @@ namespace asperity
     void
     save(OutputArchive &archive) const;
 
-    /** @throws InputError if the archive is of another body */
+    /** @param transfer takes the coefficients of a rise from the mesh on which
+     *    it was saved to this one; empty if that is the same
+     *  @throws InputError if the archive is of another body */
     void
-    load(InputArchive &archive);
+    load(InputArchive &archive,
+         const std::function<std::vector<double>(const std::vector<double> &)>
+           &transfer = {});
 
   private:
     void

@@ -7,6 +7,8 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <array>
+
 namespace asperity
 {
   /**
@@ -27,14 +29,17 @@ namespace asperity
      * @param motion unit vector in which the chip slides
      * @param counts whether forces and tangent are added here: on one of
      *   several ranks that share the chip
+     * @param size of the grid that the pockets consist of, see SheetVoid; they
+     *   go over to another mesh of the chip by save() and load() if it is given
      * @throws InputError if an oil film finds no pocket
      */
-    SheetPockets(const SplineSpace<3>       &space,
-                 const PatchGeometry<3>     &geometry,
-                 const SplineSheet          &tool,
-                 const dealii::Tensor<1, 3> &motion,
-                 const SealedPocketOptions  &options,
-                 const bool                  counts = true);
+    SheetPockets(const SplineSpace<3>              &space,
+                 const PatchGeometry<3>            &geometry,
+                 const SplineSheet                 &tool,
+                 const dealii::Tensor<1, 3>        &motion,
+                 const SealedPocketOptions         &options,
+                 const bool                         counts = true,
+                 const std::array<unsigned int, 2> &size   = {{0, 0}});
 
     void
     add_couplings(dealii::DynamicSparsityPattern &pattern) const override;

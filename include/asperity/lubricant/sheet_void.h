@@ -31,15 +31,18 @@ namespace asperity
    * exact by Gauss' rule. Derivatives are those of the rules. Where the
    * surfaces overlap the volume counts as negative.
    *
-   * Elements are a grid: (i, j) has the number i + j n_x.
+   * Elements are a grid: (i, j) has the number i + j n_x. They are those of the
+   * face unless a number of them is given, with which each is in one of those.
    */
   class SheetVoid
   {
   public:
-    /** @param tool sheet with the periods of the space [m] */
-    SheetVoid(const SplineSpace<3>   &space,
-              const PatchGeometry<3> &geometry,
-              const SplineSheet      &tool);
+    /** @param tool sheet with the periods of the space [m]
+     *  @param size of the grid; zeros: that of the face, which is a grid */
+    SheetVoid(const SplineSpace<3>              &space,
+              const PatchGeometry<3>            &geometry,
+              const SplineSheet                 &tool,
+              const std::array<unsigned int, 2> &size = {{0, 0}});
 
     /** Elements along x and y. */
     const std::array<unsigned int, 2> &
@@ -87,6 +90,10 @@ namespace asperity
     add_couplings(dealii::DynamicSparsityPattern &pattern) const;
 
   private:
+    /** The nodes of the elements of a grid that is finer than the face. */
+    void
+    tabulate(const SplineSpace<3> &space, const PatchGeometry<3> &geometry);
+
     /** Gauss' rule on [0, 1], and the Lagrange polynomials of the nodes of an
      *  element and their derivatives at its points, [q][k]. */
     struct Rule
@@ -141,7 +148,7 @@ namespace asperity
     double        whole_tool; ///< mean height times L W [m^3]
     unsigned int  n_dofs_;
 
-    std::array<unsigned int, 2>   size_{};
+    std::array<unsigned int, 2>   size_;
     std::array<double, 2>         width{};  ///< of an element [m]
     BasisTable<3>                 table;    ///< its points are nodes
     std::vector<unsigned int>     entry;    ///< of an element, in the table

@@ -23,7 +23,7 @@ namespace asperity
   struct Checkpoint
   {
     /** 1: lists of doubles, without inputs. */
-    static constexpr std::uint32_t format_version = 2;
+    static constexpr std::uint32_t format_version = 3;
 
     std::string program; ///< version_line() of the writer
     InputRecord inputs;
