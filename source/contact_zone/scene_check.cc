@@ -281,9 +281,6 @@ namespace asperity
         fail("a chip that has inertia", "Protocol/Inertia = quasi-static");
       if (p.contact.augmentations > 0)
         fail("multipliers of the contact", "Contact/Augmentations = 0");
-      if (p.output.restart)
-        fail("a restart, though checkpoints hold no mesh",
-             "Output/Restart = false");
     }
 
     /** A chip near its melting temperature carries nothing. */

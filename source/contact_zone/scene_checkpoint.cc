@@ -21,17 +21,55 @@ namespace asperity
     }
 
     void
-    load_state(InputArchive &archive, RunState &state)
+    check_columns(InputArchive &archive)
     {
       std::vector<std::string> columns;
       archive >> columns;
       if (columns != column_names())
         throw InputError("The checkpoint is of a program whose friction.csv "
                          "has other columns; expected one of this program.");
-      const std::size_t n = state.u.size();
+    }
+
+    void
+    load_state(InputArchive &archive, RunState &state)
+    {
+      const std::size_t n = state.u.size(), n_points = state.coverage.size();
       archive >> state;
       require_length("displacements", state.u.size(), n);
       require_length("displacements", state.u_previous.size(), n);
+      require_length("points of the contact", state.coverage.size(), n_points);
+    }
+
+    /** Level and spans of each cell. */
+    template <int dim>
+    void
+    save_mesh(OutputArchive &archive, const SplineHierarchy<dim> &hierarchy)
+    {
+      std::vector<unsigned int> numbers;
+      for (unsigned int cell = 0; cell < hierarchy.n_cells(); ++cell)
+        {
+          const CellIndex<dim> &index = hierarchy.cell_index(cell);
+          numbers.push_back(index.level);
+          numbers.insert(numbers.end(), index.spans.begin(), index.spans.end());
+        }
+      archive << numbers;
+    }
+
+    template <int dim>
+    void
+    load_mesh(InputArchive &archive, SlidingRun<dim> &run)
+    {
+      std::vector<unsigned int> numbers;
+      archive >> numbers;
+      std::vector<CellIndex<dim>> cells(numbers.size() / (dim + 1));
+      require_length("cells", numbers.size(), (dim + 1) * cells.size());
+      for (std::size_t cell = 0; cell < cells.size(); ++cell)
+        {
+          const unsigned int *number = &numbers[(dim + 1) * cell];
+          cells[cell].level          = *number;
+          std::copy(number + 1, number + 1 + dim, cells[cell].spans.begin());
+        }
+      run.set_mesh(cells);
     }
   } // namespace
 
@@ -42,7 +80,10 @@ namespace asperity
   save(const SlidingRun<dim> &run, const Scene<dim> &scene)
   {
     return to_bytes([&](OutputArchive &archive) {
-      archive << column_names() << run.state() << scene.chip->history()
+      archive << column_names();
+      if (run.changes_mesh())
+        save_mesh(archive, *scene.space->hierarchy());
+      archive << run.state() << scene.chip->history()
               << scene.contact->multipliers() << scene.contact->hints();
       if (const ShearTraction<dim> *shear = scene.contact->shear())
         archive << shear->history().tractions << shear->history().pressures
@@ -65,15 +106,23 @@ namespace asperity
   void
   load(const std::string &bytes, SlidingRun<dim> &run, Scene<dim> &scene)
   {
-    RunState                   state       = run.state();
-    SolidStep::State           motion      = run.solid_step().state();
-    std::vector<MaterialState> history     = scene.chip->history();
-    std::vector<double>        multipliers = scene.contact->multipliers();
-    auto                       hints       = scene.contact->hints();
+    RunState                             state;
+    SolidStep::State                     motion;
+    std::vector<MaterialState>           history;
+    std::vector<double>                  multipliers;
+    std::vector<dealii::Point<dim - 1>>  hints;
     typename ShearTraction<dim>::History shear;
-    if (scene.contact->shear() != nullptr)
-      shear = scene.contact->shear()->history();
     from_bytes(bytes, "The state of the run", [&](InputArchive &archive) {
+      check_columns(archive);
+      if (run.changes_mesh())
+        load_mesh(archive, run);
+      state       = run.state();
+      motion      = run.solid_step().state();
+      history     = scene.chip->history();
+      multipliers = scene.contact->multipliers();
+      hints       = scene.contact->hints();
+      if (scene.contact->shear() != nullptr)
+        shear = scene.contact->shear()->history();
       load_state(archive, state);
       archive >> fixed_length(history, "material points") >>
         fixed_length(multipliers, "pressures of the contact") >>

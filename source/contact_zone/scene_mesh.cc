@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <memory>
+#include <set>
 
 namespace asperity
 {
@@ -161,34 +164,134 @@ namespace asperity
 
 
 
+  namespace
+  {
+    /** With these cells, whose numbers follow from them alone. */
+    template <int dim>
+    std::shared_ptr<SplineSpace<dim>>
+    space_like(const SplineHierarchy<dim> &hierarchy)
+    {
+      std::array<KnotVector, dim> knots;
+      for (unsigned int d = 0; d < dim; ++d)
+        knots[d] = hierarchy.knots(0, d);
+      auto space = std::make_shared<SplineSpace<dim>>(knots);
+      space->refine_like(hierarchy);
+      return space;
+    }
+
+    template <int dim>
+    bool
+    are_cells_of(const SplineHierarchy<dim>        &hierarchy,
+                 const std::vector<CellIndex<dim>> &cells)
+    {
+      bool are = hierarchy.n_cells() == cells.size();
+      for (unsigned int cell = 0; are && cell < cells.size(); ++cell)
+        are = hierarchy.cell_index(cell) == cells[cell];
+      return are;
+    }
+
+    /** Whether cells of at most this level cover the parameter box once. */
+    template <int dim>
+    bool
+    do_tile(const std::array<KnotVector, dim> &knots,
+            const unsigned int                 finest,
+            const std::vector<CellIndex<dim>> &cells)
+    {
+      using Key         = std::array<unsigned int, dim + 1>;
+      const auto key_of = [](const CellIndex<dim> &cell) {
+        Key key;
+        key[dim] = cell.level;
+        std::copy(cell.spans.begin(), cell.spans.end(), key.begin());
+        return key;
+      };
+      std::set<Key> keys;
+      std::uint64_t covered = 0, all = 1;
+      for (const KnotVector &direction : knots)
+        all *= std::uint64_t(direction.n_spans()) << finest;
+      for (const CellIndex<dim> &cell : cells)
+        {
+          if (cell.level > finest || !keys.insert(key_of(cell)).second)
+            return false;
+          for (unsigned int d = 0; d < dim; ++d)
+            if (cell.spans[d] >= knots[d].n_spans() << cell.level)
+              return false;
+          covered += std::uint64_t(1) << (dim * (finest - cell.level));
+        }
+      for (const CellIndex<dim> &cell : cells)
+        for (unsigned int levels = 1; levels <= cell.level; ++levels)
+          if (keys.count(key_of(cell.ancestor(levels))) > 0)
+            return false;
+      return covered == all;
+    }
+  } // namespace
+
+
+
   template <int dim>
   AdaptedMesh
   Scene<dim>::adapt_mesh(
     const SceneParameters                                   &parameters,
     const std::vector<typename SplineSpace<dim>::CellLevel> &wanted)
   {
-    Assert(geometry.offset.empty() && !lubricant && !heat,
+    Assert(geometry.offset.empty() && n_lubricant_unknowns == 0 &&
+             gap_flow == nullptr,
            dealii::ExcNotImplemented());
     const auto         before = space->hierarchy();
     const unsigned int most   = parameters.mesh.most_unknowns;
+    const auto         wished = space_like(*before);
     AdaptedMesh        mesh;
-    space->adapt(wanted.front());
-    while (most > 0 && n_dofs() > most && mesh.number + 1 < wanted.size())
-      space->adapt(wanted[++mesh.number]);
-    mesh.has_changed = space->n_cells() != before->n_cells() ||
-                       !is_refinement(*before, *space->hierarchy());
+    wished->adapt(wanted.front());
+    while (most > 0 && dim * wished->n_functions() > most &&
+           mesh.number + 1 < wanted.size())
+      wished->adapt(wanted[++mesh.number]);
+    mesh.has_changed = wished->n_cells() != before->n_cells() ||
+                       !is_refinement(*before, *wished->hierarchy());
     if (!mesh.has_changed)
       return mesh;
+    space = space_like(*wished->hierarchy());
+    rebuild(parameters);
+    return mesh;
+  }
+
+
+
+  template <int dim>
+  void
+  Scene<dim>::set_mesh(const SceneParameters             &parameters,
+                       const std::vector<CellIndex<dim>> &cells)
+  {
+    const auto before = space->hierarchy();
+    if (are_cells_of<dim>(*before, cells))
+      return;
+    std::array<KnotVector, dim> knots;
+    for (unsigned int d = 0; d < dim; ++d)
+      knots[d] = before->knots(0, d);
+    if (!do_tile<dim>(knots, parameters.mesh.refinement, cells))
+      throw InputError("The cells of the mesh do not tile the chip; expected "
+                       "those of a checkpoint of this scene.");
+    space = space_like(SplineHierarchy<dim>(knots, cells));
+    if (!are_cells_of<dim>(*space->hierarchy(), cells))
+      throw InputError("The cells of the mesh have other numbers; expected "
+                       "those of a checkpoint of this program.");
+    rebuild(parameters);
+  }
+
+
+
+  template <int dim>
+  void
+  Scene<dim>::rebuild(const SceneParameters &parameters)
+  {
     const EquilibriumCost cost = equilibrium->cost();
     suit_solver(parameters);
     build_share(parameters);
     build_chip(parameters);
     build_contact(parameters);
+    build_lubricant(parameters);
+    build_heat(parameters);
     build_boundaries();
     build_equilibrium();
     equilibrium->add_cost(cost);
-    initial_unknowns_.reinit(n_unknowns());
-    return mesh;
   }
 
 
@@ -203,4 +306,14 @@ namespace asperity
   template AdaptedMesh
   Scene<3>::adapt_mesh(const SceneParameters &,
                        const std::vector<SplineSpace<3>::CellLevel> &);
+  template void
+  Scene<2>::set_mesh(const SceneParameters &,
+                     const std::vector<CellIndex<2>> &);
+  template void
+  Scene<2>::rebuild(const SceneParameters &);
+  template void
+  Scene<3>::set_mesh(const SceneParameters &,
+                     const std::vector<CellIndex<3>> &);
+  template void
+  Scene<3>::rebuild(const SceneParameters &);
 } // namespace asperity

@@ -66,7 +66,6 @@ namespace asperity
         step % parameters.output.picture_interval == 0)
       write_pictures(run);
     if (files && parameters.output.checkpoint_interval > 0 &&
-        parameters.mesh.adaptive_levels == 0 &&
         step % parameters.output.checkpoint_interval == 0)
       write_checkpoint(run);
     seconds_ += timer.wall_time();

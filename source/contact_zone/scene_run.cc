@@ -158,7 +158,7 @@ namespace asperity
       show_step(now, progress);
     };
     const auto kept = [&]() -> std::string {
-      if (folder == nullptr || parameters().mesh.adaptive_levels > 0)
+      if (folder == nullptr)
         return "";
       return kept_state(*output, run_, parameters().output.directory);
     };

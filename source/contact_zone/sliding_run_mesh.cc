@@ -1,7 +1,10 @@
+#include <asperity/base/archive.h>
 #include <asperity/contact/shear_transfer.h>
+#include <asperity/contact_zone/scene_heat.h>
 #include <asperity/contact_zone/sliding_run.h>
 #include <asperity/isogeometric/element_view.h>
 #include <asperity/isogeometric/space_transfer.h>
+#include <asperity/isogeometric/trace_transfer.h>
 #include <asperity/solid/state_transfer.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -82,8 +85,15 @@ namespace asperity
     start.dt_previous = state_.dt_previous;
     start.time        = state_.time;
     start.history     = scene.chip->history();
+    start.coverage    = state_.coverage;
     if (const ShearTraction<dim> *shear = scene.contact->shear())
       start.shear = shear->history();
+    if (scene.lubricant)
+      start.oil = to_bytes(
+        [&](OutputArchive &archive) { scene.lubricant->save(archive); });
+    if (scene.heat)
+      start.heat =
+        to_bytes([&](OutputArchive &archive) { scene.heat->save(archive); });
     return start;
   }
 
@@ -120,6 +130,7 @@ namespace asperity
       scene.adapt_mesh(parameters, adaptation->wanted(time, approach));
     adaptation->set_taken(mesh.number);
     RemeshReport &report = state_.remeshing;
+    report.taken         = mesh.number;
     report.missing_levels =
       std::max(report.missing_levels, adaptation->missing_levels(mesh.number));
     if (!mesh.has_changed)
@@ -167,19 +178,72 @@ namespace asperity
     state_.dt_previous = start.dt_previous;
     state_.time        = start.time;
     --state_.step;
-    state_.coverage.assign(scene.contact->table().JxW.size(), 0.);
-    ContactAssembler<dim> &contact = *scene.contact;
-    contact.set_hints(hints(contact.table(), *first_guess));
+    scene.contact->set_hints(hints(scene.contact->table(), *first_guess));
+    go_back_at_face(start, before, transfer);
+    step = std::make_unique<SolidStep>(*scene.chip,
+                                       *scene.equilibrium,
+                                       state_.u,
+                                       std::nullopt);
+  }
+
+
+
+  template <int dim>
+  void
+  SlidingRun<dim>::go_back_at_face(const StepStart            &start,
+                                   const SplineHierarchy<dim> &before,
+                                   const SpaceTransfer<dim>   &transfer)
+  {
+    const SplineHierarchy<dim> &after   = *scene.space->hierarchy();
+    ContactAssembler<dim>      &contact = *scene.contact;
+    const unsigned int          n_points =
+      std::lround(std::pow(contact.table().points_per_element, 1. / (dim - 1)));
+    const auto moved_points = [&](const std::vector<double> &values) {
+      return transfer_edge_history(
+        before, after, Edge::top, dealii::QGauss<dim - 1>(n_points), values, 1);
+    };
+    state_.coverage = moved_points(start.coverage);
     if (ShearTraction<dim> *shear = contact.shear())
-      shear->set_history(
-        transfer_shear(before,
-                       after,
-                       Edge::top,
-                       contact.options().formulation,
-                       std::lround(std::pow(contact.table().points_per_element,
-                                            1. / (dim - 1))),
-                       start.shear,
-                       positions(contact.table(), state_.u)));
+      shear->set_history(transfer_shear(before,
+                                        after,
+                                        Edge::top,
+                                        contact.options().formulation,
+                                        n_points,
+                                        start.shear,
+                                        positions(contact.table(), state_.u)));
+    if (scene.lubricant)
+      from_bytes(start.oil, "The oil", [&](InputArchive &archive) {
+        scene.lubricant->load(archive);
+      });
+    if (scene.heat)
+      from_bytes(start.heat, "The heat", [&](InputArchive &archive) {
+        scene.heat->take_over(
+          archive,
+          [&](const std::vector<double> &values) {
+            return transfer.apply(values);
+          },
+          moved_points);
+      });
+  }
+
+
+
+  template <int dim>
+  bool
+  SlidingRun<dim>::changes_mesh() const
+  {
+    return adaptation != nullptr;
+  }
+
+
+
+  template <int dim>
+  void
+  SlidingRun<dim>::set_mesh(const std::vector<CellIndex<dim>> &cells)
+  {
+    scene.set_mesh(parameters, cells);
+    state_.u = state_.u_previous = scene.initial_unknowns();
+    state_.coverage.resize(scene.contact->table().JxW.size());
     step = std::make_unique<SolidStep>(*scene.chip,
                                        *scene.equilibrium,
                                        state_.u,
@@ -209,4 +273,20 @@ namespace asperity
   SlidingRun<3>::go_back(const StepStart &,
                          const SplineHierarchy<3> &,
                          const std::vector<dealii::Tensor<2, 3>> &);
+  template void
+  SlidingRun<2>::go_back_at_face(const StepStart &,
+                                 const SplineHierarchy<2> &,
+                                 const SpaceTransfer<2> &);
+  template bool
+  SlidingRun<2>::changes_mesh() const;
+  template void
+  SlidingRun<2>::set_mesh(const std::vector<CellIndex<2>> &);
+  template void
+  SlidingRun<3>::go_back_at_face(const StepStart &,
+                                 const SplineHierarchy<3> &,
+                                 const SpaceTransfer<3> &);
+  template bool
+  SlidingRun<3>::changes_mesh() const;
+  template void
+  SlidingRun<3>::set_mesh(const std::vector<CellIndex<3>> &);
 } // namespace asperity

@@ -202,6 +202,8 @@ namespace asperity
   SlidingRun<dim>::set_state(const RunState &state)
   {
     state_ = state;
+    if (adaptation)
+      adaptation->set_taken(state.remeshing.taken);
     // The counts go on from those of the rows.
     for (const FrictionRow &row : state.rows)
       statistics.iterations += row.newton_iterations;

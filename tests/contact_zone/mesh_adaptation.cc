@@ -133,8 +133,7 @@ TEST(MeshAdaptation, refuses_what_would_not_go_over_to_another_mesh)
                                             {"Chip surface/Phases", "1 rad"}},
                                            {{"Heat/Model", "conducting"}},
                                            {{"Protocol/Inertia", "dynamic"}},
-                                           {{"Contact/Augmentations", "1"}},
-                                           {{"Output/Restart", "true"}}};
+                                           {{"Contact/Augmentations", "1"}}};
   for (const EntryValues &entries : others)
     EXPECT_EQ(message(entries).find(found), 0u) << message(entries);
 }

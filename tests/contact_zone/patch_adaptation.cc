@@ -20,42 +20,11 @@ namespace
 {
   using PatchRun = CompleteRunIn<3>;
 
-  /** A level of the mesh is at contacts only.
-   *  @param spans of the finest elements */
-  SceneParameters
-  adaptive_scene(const unsigned int spans)
-  {
-    SceneParameters parameters           = narrow_scene();
-    parameters.geometry.height           = 3e-6;
-    parameters.mesh.degree               = 1;
-    parameters.mesh.spans                = spans;
-    parameters.mesh.grading              = 4.;
-    parameters.mesh.adaptive_levels      = 1;
-    parameters.mesh.halo                 = 3;
-    parameters.mesh.remesh_distance      = 0.3e-6;
-    parameters.protocol.sliding_distance = 1.5e-6;
-    parameters.protocol.ramp_fraction    = 0.2;
-    parameters.protocol.slide_steps      = 5;
-    return parameters;
-  }
-
-  /** One ridge across the motion, two coarse elements wide. */
-  SceneParameters
-  ridge()
-  {
-    SceneParameters parameters   = adaptive_scene(32);
-    parameters.geometry.width    = 1. / 8. * parameters.geometry.length;
-    parameters.tool.wave_numbers = {1.};
-    parameters.tool.amplitudes   = {0.15e-6};
-    parameters.tool.phases       = {0.4};
-    return parameters;
-  }
-
   /** 0.2 um cos(2 pi x/L + 0.4) cos(2 pi y/W) */
   SceneParameters
   hills()
   {
-    SceneParameters parameters   = adaptive_scene(16);
+    SceneParameters parameters   = adaptive_patch(16);
     parameters.geometry.width    = parameters.geometry.length;
     parameters.tool.wave_numbers = {1., 1.};
     parameters.tool.across       = {1., -1.};
@@ -142,7 +111,7 @@ namespace
 TEST(PatchAdaptation,
      extruded_tool_has_the_meshes_and_the_friction_of_the_plane)
 {
-  expect_the_plane(ridge());
+  expect_the_plane(adaptive_ridge());
 }
 
 
@@ -152,7 +121,7 @@ TEST(PatchAdaptation, of_an_extruded_tool_takes_the_shear_of_the_plane_with_it)
   for (const ContactFormulation formulation :
        {ContactFormulation::mortar, ContactFormulation::gauss_point})
     {
-      SceneParameters parameters     = with_shear(ridge());
+      SceneParameters parameters     = with_shear(adaptive_ridge());
       parameters.contact.formulation = formulation;
       EXPECT_GT(expect_the_plane(parameters).interface_shear, 0.05);
     }
@@ -173,7 +142,7 @@ TEST(PatchAdaptation, that_refines_all_at_once_gives_the_same_steps)
 
 TEST(PatchAdaptation, that_refines_a_sheared_face_at_once_gives_the_same_steps)
 {
-  SceneParameters parameters      = with_shear(ridge());
+  SceneParameters parameters      = with_shear(adaptive_ridge());
   parameters.mesh.remesh_distance = parameters.geometry.length;
   expect_the_even_mesh<3>(parameters);
   parameters.geometry.dimension = 2;

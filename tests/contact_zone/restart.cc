@@ -30,9 +30,10 @@ namespace
   }
 
   /** Runs to the end, keeps the state after a step, and runs from there
-   *  again. */
+   *  again.
+   *  @return how often the mesh has changed */
   template <int dim = 2>
-  void
+  unsigned int
   expect_identical_rest(const SceneParameters &parameters,
                         const unsigned int     stop)
   {
@@ -52,7 +53,7 @@ namespace
     EXPECT_EQ(second.state().step, stop);
     second.run([](const SlidingRun<dim> &) {});
 
-    ASSERT_EQ(second.state().rows.size(), run.state().rows.size());
+    EXPECT_EQ(second.state().rows.size(), run.state().rows.size());
     for (std::size_t i = 0; i < run.state().rows.size(); ++i)
       expect_identical(run.state().rows[i], second.state().rows[i]);
     EXPECT_EQ(second.state().u, run.state().u);
@@ -61,6 +62,7 @@ namespace
     for (std::size_t q = 0; q < scene.chip->history().size(); ++q)
       EXPECT_EQ(second_scene.chip->history()[q].plastic_strain,
                 scene.chip->history()[q].plastic_strain);
+    return run.state().remeshing.remeshes;
   }
 } // namespace
 
@@ -107,6 +109,56 @@ TEST(Restart, goes_on_identically_in_three_dimensions)
   parameters.lubrication.wetting     = 0.7;
   parameters.lubrication.sealing_gap = 200e-9;
   expect_identical_rest<3>(parameters, 3);
+}
+
+// Before the mesh first changes, and between later changes.
+TEST(Restart, goes_on_identically_on_a_mesh_that_has_changed)
+{
+  SceneParameters parameters         = adaptive_ridge();
+  parameters.interface.law           = InterfaceShear::limited_coulomb;
+  parameters.load.pressure           = 600e6;
+  parameters.lubrication.model       = LubricantModel::pocket;
+  parameters.lubrication.wetting     = 0.4;
+  parameters.lubrication.sealing_gap = 30e-9;
+  EXPECT_GE(expect_identical_rest<3>(parameters, 4), 2u);
+  parameters.geometry.dimension = 2;
+  for (const unsigned int stop : {1, 2, 5})
+    EXPECT_GE(expect_identical_rest(parameters, stop), 2u);
+}
+
+TEST(Restart, refuses_cells_that_do_not_tile_the_chip)
+{
+  const SceneParameters     parameters = adaptive_ridge();
+  Scene<3>                  scene(parameters);
+  const auto                hierarchy = scene.space->hierarchy();
+  std::vector<CellIndex<3>> cells;
+  for (unsigned int cell = 0; cell < hierarchy->n_cells(); ++cell)
+    cells.push_back(hierarchy->cell_index(cell));
+  scene.set_mesh(parameters, cells);
+  EXPECT_EQ(scene.space->hierarchy(), hierarchy);
+  const auto message = [&](const std::vector<CellIndex<3>> &of) -> std::string {
+    try
+      {
+        scene.set_mesh(parameters, of);
+      }
+    catch (const InputError &error)
+      {
+        return error.what();
+      }
+    return "";
+  };
+  const std::string refusal = "The cells of the mesh do not tile the chip; "
+                              "expected those of a checkpoint of this scene.";
+  std::vector<CellIndex<3>> missing = cells, twice = cells, beyond = cells,
+                            child = cells;
+  missing.pop_back();
+  EXPECT_EQ(message(missing), refusal);
+  twice.back() = twice.front();
+  EXPECT_EQ(message(twice), refusal);
+  beyond.back().spans[0] += 1000;
+  EXPECT_EQ(message(beyond), refusal);
+  child.back().level += 7;
+  EXPECT_EQ(message(child), refusal);
 }
 
 TEST(Restart, keeps_what_a_steady_window_has_seen)

@@ -54,6 +54,37 @@ namespace asperity
     return parameters;
   }
 
+  /** A level of the mesh is at contacts only.
+   *  @param spans of the finest elements */
+  inline SceneParameters
+  adaptive_patch(const unsigned int spans)
+  {
+    SceneParameters parameters           = narrow_scene();
+    parameters.geometry.height           = 3e-6;
+    parameters.mesh.degree               = 1;
+    parameters.mesh.spans                = spans;
+    parameters.mesh.grading              = 4.;
+    parameters.mesh.adaptive_levels      = 1;
+    parameters.mesh.halo                 = 3;
+    parameters.mesh.remesh_distance      = 0.3e-6;
+    parameters.protocol.sliding_distance = 1.5e-6;
+    parameters.protocol.ramp_fraction    = 0.2;
+    parameters.protocol.slide_steps      = 5;
+    return parameters;
+  }
+
+  /** One ridge across the motion, two coarse elements wide. */
+  inline SceneParameters
+  adaptive_ridge()
+  {
+    SceneParameters parameters   = adaptive_patch(32);
+    parameters.geometry.width    = 1. / 8. * parameters.geometry.length;
+    parameters.tool.wave_numbers = {1.};
+    parameters.tool.amplitudes   = {0.15e-6};
+    parameters.tool.phases       = {0.4};
+    return parameters;
+  }
+
   /** Hills with the length and the spans of a narrow scene that slides along x,
    *  turned by 90 degrees with their way: (x, y) becomes (-y, x). */
   inline SceneParameters

@@ -31,6 +31,9 @@ namespace asperity
      * how many levels have been left out at the most. */
     unsigned int bounded = 0, missing_levels = 0;
 
+    /** Which of the wanted meshes the present one is. */
+    unsigned int taken = 0;
+
     /** Of the run, whose cost its product sums up: unknowns times Newton
      *  iterations. */
     double unknown_iterations = 0.;
@@ -48,7 +51,7 @@ namespace asperity
     serialize(Archive &archive, const unsigned int)
     {
       archive &remeshes &change_in_ramp &change &work_change &plastic_work
-        &strain_excess &most_unknowns &bounded &missing_levels
+        &strain_excess &most_unknowns &bounded &missing_levels &taken
           &unknown_iterations;
     }
   };

@@ -121,14 +121,21 @@ namespace asperity
     /**
      * Refines and coarsens the chip, divides its cells anew between the ranks,
      * and builds what stands on its mesh: chip and contact as at the start, and
-     * the balance, with the cost so far. Of a dry scene with a flat chip that
-     * conducts no heat. Collective.
+     * the balance, with the cost so far. Of a scene with a flat chip and no
+     * oil that flows. The numbers of cells and functions follow from the cells
+     * alone. Collective.
      * @param wanted meshes, of which the first is taken that has not more than
      *   Mesh/Maximum unknowns
      */
     AdaptedMesh
     adapt_mesh(const SceneParameters &parameters,
                const std::vector<typename SplineSpace<dim>::CellLevel> &wanted);
+
+    /** Takes the cells of a mesh that adapt_mesh() has made; the rest as there.
+     *  @throws InputError if they are not those of such a mesh */
+    void
+    set_mesh(const SceneParameters             &parameters,
+             const std::vector<CellIndex<dim>> &cells);
 
     /** The solver of the tangent: that of the parameters, or for `automatic`
      * the one that suits the size. */
@@ -185,6 +192,10 @@ namespace asperity
 
     void
     build_mesh(const SceneParameters &parameters);
+
+    /** Everything that stands on the mesh, once that has changed. */
+    void
+    rebuild(const SceneParameters &parameters);
 
     void
     build_chip(const SceneParameters &parameters);

@@ -16,6 +16,9 @@
 
 namespace asperity
 {
+  template <int dim>
+  class SpaceTransfer;
+
   /** All that a run must remember between steps, beside the plastic history in
    *  the chip and the multipliers in the contact. */
   struct RunState
@@ -86,6 +89,15 @@ namespace asperity
     void
     set_state(const RunState &state);
 
+    /** Whether the mesh of the scene follows its contacts. */
+    bool
+    changes_mesh() const;
+
+    /** Takes other cells, and with them the start of the run, as
+     *  Scene::set_mesh(). */
+    void
+    set_mesh(const std::vector<CellIndex<dim>> &cells);
+
     /** The step of the chip, with velocity and acceleration if dynamic. */
     SolidStep &
     solid_step();
@@ -148,6 +160,8 @@ namespace asperity
       std::vector<MaterialState> history;
 
       typename ShearTraction<dim>::History shear; ///< if there is any
+      std::vector<double>                  coverage;
+      std::string oil, heat; ///< what they save, if there are any
     };
 
     /** Now. */
@@ -174,6 +188,13 @@ namespace asperity
     go_back(const StepStart                         &start,
             const SplineHierarchy<dim>              &before,
             const std::vector<dealii::Tensor<2, 3>> &F);
+
+    /** The part of it for interface, oil and heat. @param transfer of the
+     *  displacement */
+    void
+    go_back_at_face(const StepStart            &start,
+                    const SplineHierarchy<dim> &before,
+                    const SpaceTransfer<dim>   &transfer);
 
     /** mu of the last evaluated displacement. */
     double
