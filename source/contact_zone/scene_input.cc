@@ -47,6 +47,15 @@ namespace asperity
         "quasi-static.");
     if (parameters.lubrication.model == LubricantModel::automatic)
       {
+        if (parameters.mesh.adaptive_levels > 0 &&
+            audit.lubricant != LubricantModel::pocket &&
+            audit.lubricant != LubricantModel::none)
+          throw InputError(
+            "Entry 'Mesh/Adaptive levels': found " +
+            std::to_string(parameters.mesh.adaptive_levels) +
+            " with a scene for which the audit chooses the lubricant model `" +
+            name(audit.lubricant) +
+            "`; expected 0, or Lubrication/Model = pocket or none.");
         parameters.lubrication.model = audit.lubricant;
         scene = std::make_unique<Scene<dim>>(parameters, ranks);
       }
