@@ -1,3 +1,5 @@
+#include <asperity/base/neighbours.h>
+#include <asperity/base/vector_widths.h>
 #include <asperity/heat/fourier_basis.h>
 
 #include <deal.II/base/numbers.h>
@@ -95,6 +97,39 @@ namespace asperity
 
 
 
+  namespace
+  {
+    using neighbours::at;
+    using neighbours::width;
+
+    /** Cosines c and sines s of n angles, each turned by one of others. */
+    ASPERITY_ALL_VECTOR_WIDTHS void
+    turn(const unsigned int n,
+         const double      *cosine,
+         const double      *sine,
+         const double      *c,
+         const double      *s,
+         double            *turned_c,
+         double            *turned_s)
+    {
+      unsigned int q = 0;
+      for (; q + width <= n; q += width)
+        {
+          at(turned_c + q) =
+            at(c + q) * at(cosine + q) - at(s + q) * at(sine + q);
+          at(turned_s + q) =
+            at(s + q) * at(cosine + q) + at(c + q) * at(sine + q);
+        }
+      for (; q < n; ++q)
+        {
+          turned_c[q] = c[q] * cosine[q] - s[q] * sine[q];
+          turned_s[q] = s[q] * cosine[q] + c[q] * sine[q];
+        }
+    }
+  } // namespace
+
+
+
   template <int dim>
   Factor
   FourierBasis<dim>::values(const std::vector<Point<dim - 1>> &places,
@@ -114,17 +149,14 @@ namespace asperity
       }
     // Down the columns, in which the matrix is stored. Each wave turns by the
     // first: powers of a number of modulus one lose a digit in a thousand.
-    const double *const cosine = &f(0, 1), *const sine = &f(0, 2);
     for (unsigned int k = 2; k <= waves; ++k)
-      {
-        const double *const c = &f(0, 2 * k - 3), *const s = &f(0, 2 * k - 2);
-        double *const next_c = &f(0, 2 * k - 1), *const next_s = &f(0, 2 * k);
-        for (unsigned int q = 0; q < n; ++q)
-          {
-            next_c[q] = c[q] * cosine[q] - s[q] * sine[q];
-            next_s[q] = s[q] * cosine[q] + c[q] * sine[q];
-          }
-      }
+      turn(n,
+           &f(0, 1),
+           &f(0, 2),
+           &f(0, 2 * k - 3),
+           &f(0, 2 * k - 2),
+           &f(0, 2 * k - 1),
+           &f(0, 2 * k));
     return f;
   }
 

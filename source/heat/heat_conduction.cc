@@ -81,8 +81,7 @@ namespace asperity
         const double *row = block(e);
         for (const unsigned int a : functions)
           {
-            for (unsigned int b = 0; b < functions.size(); ++b)
-              entries.add(a, functions[b], row[b]);
+            entries.add(a, functions, row);
             row += integrals.stride(e);
           }
       }

@@ -46,6 +46,11 @@ TEST(MatrixEntries, adds_in_each_pass_where_the_matrix_would)
               entries.add(row, column, value);
               expected.add(row, column, value);
             }
+          const std::vector<unsigned int> columns = {4, 3, 5};
+          const std::vector<double>       numbers = {1.5, -2., phase};
+          entries.add(4, columns, numbers.data());
+          for (unsigned int i = 0; i < 3; ++i)
+            expected.add(4, columns[i], numbers[i]);
         }
       for (const auto &entry : expected)
         EXPECT_EQ(matrix.el(entry.row(), entry.column()), entry.value());

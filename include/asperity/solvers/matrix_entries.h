@@ -41,6 +41,23 @@ namespace asperity
       values[places[next++]] += value;
     }
 
+    /** Of a row, as many numbers as columns. */
+    void
+    add(const unsigned int               row,
+        const std::vector<unsigned int> &columns,
+        const double                    *numbers)
+    {
+      if (next == places.size())
+        for (const unsigned int column : columns)
+          places.push_back((*pattern)(row, column));
+      Assert(places[next] == (*pattern)(row, columns[0]),
+             dealii::ExcMessage("The entries come in another order."));
+      const unsigned int *const place = places.data() + next;
+      for (unsigned int i = 0; i < columns.size(); ++i)
+        values[place[i]] += numbers[i];
+      next += columns.size();
+    }
+
   private:
     const dealii::SparsityPattern *pattern   = nullptr;
     std::size_t                    n_entries = 0;
