@@ -253,7 +253,8 @@ namespace asperity
         fail("a mesh that changes", "Mesh/Adaptive levels = 0");
     }
 
-    /** A mesh that changes takes a dry chip at rest with it, and no more. */
+    /** A mesh that changes takes chip, interface, enclosed oil and heat with
+     *  it, but no velocities, multipliers or flow. */
     void
     check_adaptive_levels(const SceneParameters     &p,
                           const ParameterDeclarator &parameters)
@@ -272,11 +273,10 @@ namespace asperity
              "at most as many as those");
       if (p.chip.kind != SurfaceKind::flat)
         fail("a chip that is not flat", "Chip surface/Kind = flat");
-      if (p.lubrication.model != LubricantModel::none)
-        fail("a lubricant", "Lubrication/Model = none");
-      if (p.heat_model() == HeatModel::conducting)
-        fail("heat that is conducted",
-             "the Heat model adiabatic or isothermal");
+      const LubricantModel lubricant = p.lubrication.model;
+      if (lubricant == LubricantModel::reynolds || fills_gap(lubricant))
+        fail("the lubricant model `" + name(lubricant) + "`",
+             "Lubrication/Model = pocket or none");
       if (p.protocol.inertia == Inertia::dynamic)
         fail("a chip that has inertia", "Protocol/Inertia = quasi-static");
       if (p.contact.augmentations > 0)

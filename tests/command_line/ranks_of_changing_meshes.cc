@@ -18,7 +18,8 @@ namespace
     summary_of(const std::string &directory,
                const std::string &launcher,
                const std::string &of_mesh,
-               const std::string &of_solver = "") const
+               const std::string &of_solver = "",
+               const std::string &further   = "") const
     {
       write(directory + ".prm",
             "subsection Geometry\n set Dimension = 3\n set Period = 5 um\n"
@@ -41,7 +42,7 @@ namespace
               "end\n"
               "subsection Output\n set Picture interval = 0\n"
               " set Output directory = " +
-              directory + "\nend\n");
+              directory + "\n" + further + "end\n");
       const Result result = run(directory + ".prm", launcher);
       EXPECT_EQ(result.status, 0) << result.output << result.errors;
       return nlohmann::json::parse(read(directory + "/summary.json"));
@@ -88,4 +89,35 @@ TEST_F(RanksOfChangingMeshes, obey_a_bound_and_solve_by_multigrid)
     summary_of("two", "mpirun -np 2", bound, " set Linear solver = krylov\n"));
   EXPECT_LE(one["mesh"]["remeshing"]["most_unknowns"], 700);
   EXPECT_GT(one["mesh"]["remeshing"]["bounded"], 0);
+}
+
+
+
+// Shear, enclosed oil and conducted heat go over to each mesh, and to another
+// number of ranks.
+TEST_F(RanksOfChangingMeshes, take_interface_oil_and_heat_with_them_and_go_on)
+{
+  const std::string further = " set Checkpoint interval = 3\nend\n"
+                              "subsection Interface\n"
+                              " set Shear law = shear factor\n"
+                              " set Shear factor = 0.5\nend\n"
+                              "subsection Lubrication\n set Model = pocket\n"
+                              " set Wetting = 0.8\n set Sealing gap = 20 nm\n";
+  const auto        one     = summary_of("one", "", "", "", further),
+             two = summary_of("two", "mpirun -np 2", "", "", further);
+  expect_equal(one, two);
+  EXPECT_GT(one["mesh"]["remeshing"]["remeshes"], 1);
+  EXPECT_GT(one["friction"]["interface_shear"], 0.01);
+  EXPECT_LT(one["heat"]["balance_error"], 1e-9);
+  EXPECT_NEAR(two["oil"]["load_share"], one["oil"]["load_share"], 1e-8);
+  // The last step by one rank, from the checkpoint of two.
+  const auto rest =
+    summary_of("two", "", "", "", " set Restart = true\n" + further);
+  EXPECT_EQ(rest["cost"]["ranks"], 1);
+  for (const char *name : {"mu", "interface_shear", "mu_end", "T_y"})
+    {
+      const double expected = one["friction"][name];
+      EXPECT_NEAR(rest["friction"][name], expected, 1e-8 * std::abs(expected))
+        << name;
+    }
 }

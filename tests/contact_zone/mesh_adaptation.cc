@@ -99,6 +99,31 @@ TEST(MeshAdaptation, has_no_more_unknowns_than_it_may)
   EXPECT_NE(run.run.coarser_meshes(), "");
 }
 
+// Half of the void full of oil, which the audit wants as a film.
+TEST(MeshAdaptation, refuses_a_film_that_the_audit_chooses)
+{
+  SceneParameters parameters      = coarse_scene();
+  parameters.mesh.adaptive_levels = 1;
+  parameters.lubrication.model    = LubricantModel::automatic;
+  parameters.lubrication.wetting  = 0.6;
+  parameters.load.velocity        = 22.5 / 60.;
+  ASSERT_EQ(audit_scene(parameters, Scene<2>(parameters)).lubricant,
+            LubricantModel::reynolds);
+  std::string message;
+  try
+    {
+      const AuditedScene<2> scene(parameters, Ranks());
+    }
+  catch (const InputError &error)
+    {
+      message = error.what();
+    }
+  EXPECT_EQ(message,
+            "Entry 'Mesh/Adaptive levels': found 1 with a scene for which the "
+            "audit chooses the lubricant model `Reynolds`; expected 0, or "
+            "Lubrication/Model = pocket or none.");
+}
+
 TEST(MeshAdaptation, refuses_what_would_not_go_over_to_another_mesh)
 {
   const auto message = [](const EntryValues &entries) {
@@ -124,14 +149,15 @@ TEST(MeshAdaptation, refuses_what_would_not_go_over_to_another_mesh)
   EXPECT_EQ(message({{"Mesh/Refinement levels", "1"}}),
             found +
               "1 Refinement levels; expected 0, or at most as many as those.");
-  EXPECT_EQ(message({{"Lubrication/Model", "pocket"}}),
-            found + "a lubricant; expected 0, or Lubrication/Model = none.");
+  EXPECT_EQ(message({{"Lubrication/Model", "pocket"}}), "");
+  EXPECT_EQ(message({{"Lubrication/Model", "Reynolds"}}),
+            found + "the lubricant model `Reynolds`; expected 0, or "
+                    "Lubrication/Model = pocket or none.");
   const std::vector<EntryValues> others = {{{"Chip surface/Kind", "harmonics"},
                                             {"Chip surface/Wave numbers", "2"},
                                             {"Chip surface/Amplitudes",
                                              "0.02 um"},
                                             {"Chip surface/Phases", "1 rad"}},
-                                           {{"Heat/Model", "conducting"}},
                                            {{"Protocol/Inertia", "dynamic"}},
                                            {{"Contact/Augmentations", "1"}}};
   for (const EntryValues &entries : others)

@@ -1,4 +1,5 @@
 #include <asperity/base/errors.h>
+#include <asperity/contact_zone/scene_heat.h>
 #include <asperity/contact_zone/scene_input.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -83,6 +84,27 @@ namespace
     return plane.rows().back();
   }
 
+  /** With oil that bears a part of the load. */
+  SceneParameters
+  with_oil(SceneParameters parameters)
+  {
+    parameters.load.pressure       = 600e6;
+    parameters.lubrication.model   = LubricantModel::pocket;
+    parameters.lubrication.wetting = 0.4;
+    return parameters;
+  }
+
+  /** Two ridges, which seal the voids between them. */
+  SceneParameters
+  two_pockets()
+  {
+    SceneParameters parameters         = with_oil(adaptive_ridge());
+    parameters.tool.wave_numbers       = {2.};
+    parameters.lubrication.wetting     = 0.8;
+    parameters.lubrication.sealing_gap = 30e-9;
+    return parameters;
+  }
+
   /** A mesh that changes once, into the one that is fine from the start. */
   template <int dim>
   void
@@ -147,6 +169,93 @@ TEST(PatchAdaptation, that_refines_a_sheared_face_at_once_gives_the_same_steps)
   expect_the_even_mesh<3>(parameters);
   parameters.geometry.dimension = 2;
   expect_the_even_mesh<2>(parameters);
+}
+
+
+
+TEST(PatchAdaptation, of_an_extruded_tool_takes_the_oil_of_the_plane_with_it)
+{
+  const FrictionRow end =
+    expect_the_plane(with_shear(with_oil(adaptive_ridge())));
+  EXPECT_GT(end.oil_pressure, 1e8);
+}
+
+
+
+// The one pocket, and pockets that the contact seals.
+TEST(PatchAdaptation, that_refines_all_at_once_leaves_the_oil_as_it_is)
+{
+  for (SceneParameters parameters : {with_oil(adaptive_ridge()), two_pockets()})
+    {
+      parameters.mesh.remesh_distance = parameters.geometry.length;
+      parameters.protocol.slide_steps = 2;
+      expect_the_even_mesh<3>(parameters);
+      parameters.geometry.dimension = 2;
+      expect_the_even_mesh<2>(parameters);
+    }
+}
+
+
+
+TEST(PatchAdaptation, keeps_the_oil_of_each_pocket)
+{
+  const PatchRun run(two_pockets());
+  unsigned int   n_pockets = 0;
+  EXPECT_GE(run.run.state().remeshing.remeshes, 2u);
+  for (std::size_t i = 1; i < run.rows().size(); ++i)
+    {
+      const FrictionRow &row = run.rows()[i];
+      EXPECT_NEAR(row.oil_reference_volume,
+                  run.rows()[1].oil_reference_volume,
+                  1e-14 * row.oil_reference_volume);
+      EXPECT_NEAR(row.T_y,
+                  -run.run.protocol().pressure(row.time) * run.scene.length,
+                  1e-7 * run.load());
+      n_pockets = std::max<unsigned int>(n_pockets, row.pockets);
+    }
+  EXPECT_EQ(n_pockets, 2u);
+  EXPECT_GT(run.rows().back().oil_pressure, 1e8);
+}
+
+
+
+TEST(PatchAdaptation, of_an_extruded_tool_takes_the_heat_of_the_plane_with_it)
+{
+  SceneParameters parameters = with_shear(adaptive_ridge());
+  parameters.heat.model      = HeatModel::conducting;
+  const FrictionRow end      = expect_the_plane(parameters);
+  EXPECT_GT(end.flash_temperature, parameters.load.temperature + 5.);
+}
+
+
+
+TEST(PatchAdaptation, that_refines_all_at_once_leaves_the_heat_as_it_is)
+{
+  SceneParameters parameters      = with_shear(adaptive_ridge());
+  parameters.heat.model           = HeatModel::conducting;
+  parameters.mesh.remesh_distance = parameters.geometry.length;
+  expect_the_even_mesh<3>(parameters);
+  parameters.geometry.dimension = 2;
+  expect_the_even_mesh<2>(parameters);
+}
+
+
+
+// What is stored goes over with the temperature, and nothing comes or goes.
+TEST(PatchAdaptation, keeps_the_balance_of_heat)
+{
+  SceneParameters parameters = with_shear(hills());
+  parameters.heat.model      = HeatModel::conducting;
+  Scene<3>      scene(parameters);
+  SlidingRun<3> run(parameters, scene);
+  double        largest = 0.;
+  run.run([&](const SlidingRun<3> &) {
+    largest = std::max(largest, scene.heat->balance_error());
+  });
+  EXPECT_GE(run.state().remeshing.remeshes, 2u);
+  EXPECT_LT(largest, 1e-9);
+  EXPECT_LT(scene.heat->amounts().balance_error(), 1e-9);
+  EXPECT_GT(scene.heat->amounts().friction, 0.);
 }
 
 
@@ -216,8 +325,9 @@ TEST(PatchAdaptation, refuses_what_does_not_go_over_and_a_bound_that_is_too_low)
     return "nothing";
   };
   const std::string found = "entry 'Mesh/Adaptive levels': found 3 with ";
-  EXPECT_EQ(message({{"Lubrication/Model", "pocket"}}),
-            found + "a lubricant; expected 0, or Lubrication/Model = none.");
+  EXPECT_EQ(message({{"Protocol/Inertia", "dynamic"}}),
+            found + "a chip that has inertia; expected 0, or "
+                    "Protocol/Inertia = quasi-static.");
   EXPECT_EQ(message({{"Mesh/Maximum unknowns", "100"}})
               .find(
                 "Entry 'Mesh/Maximum unknowns': found 100, but the 0 levels "

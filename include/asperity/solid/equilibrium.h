@@ -148,7 +148,7 @@ namespace asperity
     bool
     solve(dealii::Vector<double> &b);
 
-    /** Where GMRES fails on the unsymmetric part. */
+    /** Where the unsymmetric part has no solution by the factor of the rest. */
     bool
     solve_with_fallback(dealii::Vector<double> &b);
 

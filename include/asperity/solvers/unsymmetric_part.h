@@ -14,14 +14,14 @@ namespace asperity
 {
   /**
    * Solves (K + U) x = b where K is symmetric and has a factorisation, and U is
-   * neither: by generalised conjugate residuals (S. C. Eisenstat, H. C. Elman,
-   * M. H. Schultz, SIAM J. Numer. Anal. 20 (1983) 345), preconditioned by K.
-   * They end where GMRES does, and K itself is never applied: a direction is
-   * p = K^-1 r, and (K + U) p = r + U p. Since directions are kept, there is
-   * one action of K^-1 for each, where GMRES, which combines the r, takes two
-   * more for its solution and its true residual; mostly two or three are
-   * enough. It pays where U couples few unknowns, as the shear of a contact,
-   * since a Cholesky factorisation costs a third of one without symmetry.
+   * neither: by generalised conjugate residuals (Eisenstat, Elman and Schultz
+   * 1983), preconditioned by K. They end where GMRES does, and K itself is
+   * never applied: a direction is p = K^-1 r, and (K + U) p = r + U p. Since
+   * directions are kept, there is one action of K^-1 for each, where GMRES,
+   * which combines the r, takes two more for its solution and its true
+   * residual; mostly two or three are enough. It pays where U couples few
+   * unknowns, as the shear of a contact, since a Cholesky factorisation costs a
+   * third of one without symmetry.
    *
    * On several ranks U is the sum of what each of them has added, vectors are
    * the same on all, and what needs all of U is collective.
