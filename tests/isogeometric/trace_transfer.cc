@@ -105,7 +105,6 @@ namespace
     const auto               again = same.apply(f);
     for (unsigned int a = 0; a < f.size(); ++a)
       EXPECT_NEAR(again[a], f[a], 1e-12);
-    // Where the mesh stays and the spline is of both spaces, so does it.
     const auto zero = down.apply(std::vector<double>(f.size(), 0.));
     EXPECT_EQ(zero, std::vector<double>(c.size(), 0.));
   }

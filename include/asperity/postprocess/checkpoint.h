@@ -22,7 +22,8 @@ namespace asperity
    */
   struct Checkpoint
   {
-    /** 1: lists of doubles, without inputs. */
+    /** 1: lists of doubles, without inputs; 2: without the cells of a mesh that
+     *  changes, and without the heat that is stored. */
     static constexpr std::uint32_t format_version = 3;
 
     std::string program; ///< version_line() of the writer
