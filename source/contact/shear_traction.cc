@@ -121,9 +121,11 @@ namespace asperity
             p.by_position[0] += p.slip[1] * p.spin;
             p.by_position[1] -= p.slip[0] * p.spin;
           }
+        // Without a kink, of which Newton's method would make a stop.
         const double open = (gap[q].gap - closed_until[q]) / transition;
-        p.touching        = std::clamp(1. - open, 0., 1.);
-        p.closing         = open > 0. && open < 1. ? -1. / transition : 0.;
+        const double t    = std::clamp(1. - open, 0., 1.);
+        p.touching        = t * t * (3. - 2. * t);
+        p.closing         = -6. * t * (1. - t) / transition;
       }
   }
 

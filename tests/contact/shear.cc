@@ -273,7 +273,8 @@ namespace
           for (const double open : {-0.5, 0., 0.25, 0.5, 1., 1.5})
             {
               move(slip, -(closed + open) * delta);
-              const double part = std::clamp(1. - open, 0., 1.);
+              const double t    = std::clamp(1. - open, 0., 1.);
+              const double part = t * t * (3. - 2. * t);
               for (const double tau : contact.shear()->at_points())
                 EXPECT_NEAR(std::abs(tau),
                             0.5 * strength * part,

@@ -52,9 +52,10 @@ namespace asperity
    * what touches and is wet. The slip of a point is s . (x - x^n) with the s of
    * the end of the step, right to first order in the step, which slides at a
    * constant direction. k and `wet` are those of the start of the step. A gap g
-   * touches to the part 1 + (p/k)^2 - g/delta, 0 to 1, with the p of the last
-   * step: well inside of a spot a gap that the elements cannot follow is none,
-   * at its ends, where p is small, the gap alone decides.
+   * touches to the part t^2 (3 - 2 t), t = 1 + (p/k)^2 - g/delta within 0 and
+   * 1, with the p of the last step: well inside of a spot a gap that the
+   * elements cannot follow is none, at its ends, where p is small, the gap
+   * alone decides.
    *
    * The tangent is exact on each branch, and not symmetric.
    */
