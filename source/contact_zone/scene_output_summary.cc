@@ -190,6 +190,7 @@ namespace asperity
               {"largest_change_of_mu_in_ramp", report.change_in_ramp},
               {"drift_of_plastic_work", report.work_drift()},
               {"excess_of_plastic_strain", report.strain_excess},
+              {"excess_of_temperature", report.temperature_excess},
               {"most_unknowns", report.most_unknowns},
               {"bounded", report.bounded},
               {"missing_levels", report.missing_levels},

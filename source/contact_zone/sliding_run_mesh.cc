@@ -56,21 +56,21 @@ namespace asperity
       return x;
     }
 
-    /** By how much plastic strains leave the range of others. */
+    /** By how much a value of some states leaves the range of others. */
     double
-    excess(const std::vector<MaterialState> &states,
+    excess(double MaterialState::*const      value,
+           const std::vector<MaterialState> &states,
            const std::vector<MaterialState> &range)
     {
-      const auto less = [](const MaterialState &a, const MaterialState &b) {
-        return a.plastic_strain < b.plastic_strain;
+      const auto less = [value](const MaterialState &a,
+                                const MaterialState &b) {
+        return a.*value < b.*value;
       };
       const auto [a, b] =
         std::minmax_element(states.begin(), states.end(), less);
       const auto [low, high] =
         std::minmax_element(range.begin(), range.end(), less);
-      return std::max({0.,
-                       b->plastic_strain - high->plastic_strain,
-                       low->plastic_strain - a->plastic_strain});
+      return std::max({0., *b.*value - *high.*value, *low.*value - *a.*value});
     }
   } // namespace
 
@@ -143,9 +143,12 @@ namespace asperity
     report.plastic_work = work;
     report.work_change +=
       plastic_work(*scene.chip, scene.chip->history(), parameters.load) - work;
-    report.strain_excess =
-      std::max(report.strain_excess,
-               excess(scene.chip->history(), start.history));
+    const auto grow = [&](double &largest, double MaterialState::*const value) {
+      largest =
+        std::max(largest, excess(value, scene.chip->history(), start.history));
+    };
+    grow(report.strain_excess, &MaterialState::plastic_strain);
+    grow(report.temperature_excess, &MaterialState::temperature);
     take_step(dt);
     if (state_.time != time || mu == 0.)
       return; // it has been cut, or nothing touched yet

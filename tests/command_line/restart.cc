@@ -330,7 +330,7 @@ TEST_F(Restart, goes_back_to_the_newest_checkpoint_that_is_whole)
   const Result refused = run("second.prm");
   EXPECT_EQ(refused.status, 2);
   EXPECT_NE(refused.errors.find("step_24.checkpoint' has format version 1, but "
-                                "this program reads version 3"),
+                                "this program reads version 4"),
             std::string::npos)
     << refused.errors;
 }

@@ -286,6 +286,11 @@ TEST(PatchAdaptation, keeps_the_balance_of_heat)
   EXPECT_LT(largest, 1e-9);
   EXPECT_LT(scene.heat->amounts().balance_error(), 1e-9);
   EXPECT_GT(scene.heat->amounts().friction, 0.);
+  // The projection is no limiter; its overshoot is told.
+  const double excess = run.state().remeshing.temperature_excess;
+  EXPECT_LT(excess,
+            1e-3 * (run.state().rows.back().flash_temperature -
+                    parameters.load.temperature));
 }
 
 

@@ -80,7 +80,7 @@ TEST(Checkpoint, another_version_or_byte_order_is_refused)
   overwrite(path, bytes);
   EXPECT_EQ(reading_error(path),
             "The checkpoint '" + path +
-              "' has format version 1, but this program reads version 3; "
+              "' has format version 1, but this program reads version 4; "
               "expected one of a run of this program.");
   overwrite(path, bytes.substr(0, 32));
   EXPECT_TRUE(contains(reading_error(path), "version 1"));

@@ -22,8 +22,9 @@ namespace asperity
      *  and the work itself before the last of them. */
     double work_change = 0., plastic_work = 0.;
 
-    /** By how much a transfer has left the range of the plastic strain. */
-    double strain_excess = 0.;
+    /** By how much a transfer has left the range of the plastic strain, and of
+     *  the temperature [K], whose conserving projection may overshoot. */
+    double strain_excess = 0., temperature_excess = 0.;
 
     unsigned int most_unknowns = 0;
 
@@ -51,8 +52,8 @@ namespace asperity
     serialize(Archive &archive, const unsigned int)
     {
       archive &remeshes &change_in_ramp &change &work_change &plastic_work
-        &strain_excess &most_unknowns &bounded &missing_levels &taken
-          &unknown_iterations;
+        &strain_excess &temperature_excess &most_unknowns &bounded
+          &missing_levels &taken &unknown_iterations;
     }
   };
 

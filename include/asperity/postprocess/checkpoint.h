@@ -23,8 +23,9 @@ namespace asperity
   struct Checkpoint
   {
     /** 1: lists of doubles, without inputs; 2: without the cells of a mesh that
-     *  changes, and without the heat that is stored. */
-    static constexpr std::uint32_t format_version = 3;
+     *  changes, and without the heat that is stored; 3: without the excess of
+     *  temperature at a change of the mesh. */
+    static constexpr std::uint32_t format_version = 4;
 
     std::string program; ///< version_line() of the writer
     InputRecord inputs;
