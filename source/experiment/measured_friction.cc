@@ -1,8 +1,8 @@
+#include <asperity/base/csv.h>
 #include <asperity/base/errors.h>
 #include <asperity/base/quantity.h>
 #include <asperity/base/text.h>
 #include <asperity/experiment/measured_friction.h>
-#include <asperity/surrogate/csv.h>
 
 #include <algorithm>
 #include <fstream>

@@ -1,7 +1,7 @@
 #include <asperity/base/errors.h>
+#include <asperity/base/random_numbers.h>
 #include <asperity/base/text.h>
 #include <asperity/surrogate/design.h>
-#include <asperity/surrogate/random_numbers.h>
 
 #include <gsl/gsl_qrng.h>
 

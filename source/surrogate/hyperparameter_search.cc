@@ -1,6 +1,6 @@
 #include <asperity/base/errors.h>
+#include <asperity/base/random_numbers.h>
 #include <asperity/surrogate/hyperparameter_search.h>
-#include <asperity/surrogate/random_numbers.h>
 
 #include <algorithm>
 #include <cmath>

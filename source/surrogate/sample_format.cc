@@ -1,10 +1,10 @@
 #include "sample_format.h"
 
 #include <asperity/base/atomic_file.h>
+#include <asperity/base/csv.h>
 #include <asperity/base/errors.h>
 #include <asperity/base/quantity.h>
 #include <asperity/base/text.h>
-#include <asperity/surrogate/csv.h>
 
 #include <algorithm>
 #include <fstream>

@@ -1,8 +1,8 @@
 #include <asperity/base/atomic_file.h>
 #include <asperity/base/errors.h>
 #include <asperity/base/quantity.h>
+#include <asperity/base/random_numbers.h>
 #include <asperity/surrogate/design.h>
-#include <asperity/surrogate/random_numbers.h>
 #include <asperity/surrogate/sensitivity.h>
 
 #include <algorithm>

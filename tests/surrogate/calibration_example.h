@@ -1,9 +1,9 @@
 #ifndef asperity_tests_calibration_example_h
 #define asperity_tests_calibration_example_h
 
+#include <asperity/base/random_numbers.h>
 #include <asperity/surrogate/design.h>
 #include <asperity/surrogate/friction_law.h>
-#include <asperity/surrogate/random_numbers.h>
 
 #include <cmath>
 #include <functional>
@@ -47,13 +47,6 @@ namespace calibration_example
              (1. - 0.3 * (x[2] - 298.15) / 875.);
   }
 
-  inline double
-  normal(RandomNumbers &random)
-  {
-    const double radius = std::sqrt(-2. * std::log(1. - random.uniform()));
-    return radius * std::cos(2. * M_PI * random.uniform());
-  }
-
   struct Quality
   {
     double coverage, error; ///< both shares
@@ -79,7 +72,7 @@ namespace calibration_example
     const auto          run = [&](const double *z) {
       const std::vector<double> point = map_to_box(inputs, {z, z + 3});
       x.insert(x.end(), point.begin(), point.end());
-      y.push_back(truth(point.data()) * (1. + noise * normal(random)));
+      y.push_back(truth(point.data()) * (1. + noise * random.normal()));
     };
     for (std::size_t j = 0; j < n; ++j)
       if (is_trained(&unit[3 * j]))

@@ -1,5 +1,5 @@
-#ifndef asperity_surrogate_random_numbers_h
-#define asperity_surrogate_random_numbers_h
+#ifndef asperity_base_random_numbers_h
+#define asperity_base_random_numbers_h
 
 #include <cstddef>
 #include <cstdint>
@@ -24,6 +24,11 @@ namespace asperity
     /** Uniform among 0, ..., n - 1; n must be positive. */
     std::size_t
     below(const std::size_t n);
+
+    /** Of the normal distribution of mean 0 and deviation 1 (Box and Muller),
+     * as exact as the machine's logarithm and cosine. */
+    double
+    normal();
 
     /** The numbers 0, ..., n - 1 in random order (Fisher and Yates). */
     std::vector<std::size_t>

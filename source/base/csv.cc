@@ -1,5 +1,5 @@
+#include <asperity/base/csv.h>
 #include <asperity/base/errors.h>
-#include <asperity/surrogate/csv.h>
 
 namespace asperity
 {

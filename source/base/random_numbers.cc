@@ -1,5 +1,6 @@
-#include <asperity/surrogate/random_numbers.h>
+#include <asperity/base/random_numbers.h>
 
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -31,6 +32,16 @@ namespace asperity
     while (number >= limit)
       number = generator();
     return static_cast<std::size_t>(number % n);
+  }
+
+
+
+  double
+  RandomNumbers::normal()
+  {
+    const double pi     = 3.14159265358979323846;
+    const double radius = std::sqrt(-2. * std::log(1. - uniform()));
+    return radius * std::cos(2. * pi * uniform());
   }
 
 

@@ -1,5 +1,5 @@
-#ifndef asperity_surrogate_csv_h
-#define asperity_surrogate_csv_h
+#ifndef asperity_base_csv_h
+#define asperity_base_csv_h
 
 #include <string>
 #include <vector>
