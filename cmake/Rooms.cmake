@@ -48,6 +48,8 @@ function(asperity_room name)
       target_link_libraries(asperity_${name} klu umfpack cholmod dmumps)
     elseif(name STREQUAL "surrogate")
       target_link_libraries(asperity_${name} LAPACK::LAPACK GSL::gsl)
+    elseif(name STREQUAL "learning")
+      target_link_libraries(asperity_${name} LAPACK::LAPACK)
     endif()
   else()
     add_library(asperity_${name} INTERFACE)
@@ -61,6 +63,10 @@ endfunction()
 # the friction library, which is never sanitized: this file is not, either.
 set_source_files_properties(${CMAKE_SOURCE_DIR}/source/surrogate/correlation.cc
   PROPERTIES COMPILE_OPTIONS "-O3;-ffast-math;-ffp-contract=fast;-fno-sanitize=all")
+
+# So do the functions of neurons.
+set_source_files_properties(${CMAKE_SOURCE_DIR}/source/learning/activation.cc
+  PROPERTIES COMPILE_OPTIONS "-O3;-ffast-math;-ffp-contract=fast;-fno-sanitize=all" SKIP_UNITY_BUILD_INCLUSION ON)
 
 # Vector instructions for the inner loops of the solid, of its material laws, and
 # of the solver: sums keep their order.
