@@ -39,9 +39,9 @@ namespace
   }
 
   /** A network with random parameters, at random points. */
-  struct Example
+  struct DecoderExample
   {
-    explicit Example(const DecoderShape &shape)
+    explicit DecoderExample(const DecoderShape &shape)
       : decoder(shape)
     {
       RandomNumbers random(5);
@@ -107,7 +107,7 @@ namespace
 
 TEST_P(EachDecoder, has_the_gradients_of_differences)
 {
-  Example             example(shape());
+  DecoderExample      example(shape());
   std::vector<double> parameters(shape().n_parameters());
   std::vector<double> inputs(example.inputs.size());
   ASSERT_EQ(parameters.size(), example.decoder.parameters().size());
@@ -137,7 +137,7 @@ TEST_P(EachDecoder, has_the_gradients_of_differences)
 
 TEST_P(EachDecoder, has_the_position_derivatives_of_differences)
 {
-  Example            example(shape());
+  DecoderExample     example(shape());
   const DecoderShape s = shape();
   example.outputs();
   std::vector<double> derivatives(example.n * s.n_position * s.n_outputs);
