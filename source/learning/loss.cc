@@ -25,13 +25,16 @@ namespace asperity
         const float d = static_cast<float>(clamp);
         for (std::size_t i = 0; i < n; ++i)
           {
-            const float error =
-              std::clamp(outputs[i], -d, d) - std::clamp(targets[i], -d, d);
-            const float sign = error > 0.f ? factor :
-                               error < 0.f ? -factor :
-                                             0.f;
+            const float target = std::clamp(targets[i], -d, d);
+            // beyond the clamp on the target's side every output is right
+            const float error = target == d  ? std::min(outputs[i] - d, 0.f) :
+                                target == -d ? std::max(outputs[i] + d, 0.f) :
+                                               outputs[i] - target;
+            const float sign  = error > 0.f ? factor :
+                                error < 0.f ? -factor :
+                                              0.f;
             sum += std::abs(error);
-            gradient[i] = std::abs(outputs[i]) <= d ? sign : 0.f;
+            gradient[i] = sign;
           }
       }
     return sum;

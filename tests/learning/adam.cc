@@ -60,12 +60,19 @@ TEST(Loss, of_distances_is_clamped)
   const std::vector<float> f = {0.05f, 0.5f, -0.3f, 0.02f, 0.2f};
   const std::vector<float> y = {0.02f, 0.3f, -0.05f, 0.7f, 0.04f};
   std::vector<float>       gradient(5);
-  // |0.05 - 0.02| + |0.1 - 0.1| + |-0.1 + 0.05| + |0.02 - 0.1| + |0.1 - 0.04|
+  // |0.05 - 0.02| + 0 + |-0.3 + 0.05| + |0.02 - 0.1| + |0.2 - 0.04|
   EXPECT_NEAR(loss.evaluate(5, f.data(), y.data(), 2.f, gradient.data()),
-              0.03 + 0. + 0.05 + 0.08 + 0.06,
+              0.03 + 0. + 0.25 + 0.08 + 0.16,
               1e-7);
-  // an output beyond the clamp does not feel it
-  EXPECT_EQ(gradient, std::vector<float>({2.f, 0.f, 0.f, -2.f, 0.f}));
+  // an output on the right side of the clamp is as good as any other there
+  EXPECT_EQ(gradient, std::vector<float>({2.f, 0.f, -2.f, -2.f, 2.f}));
+  const float below = -0.7f, above = 0.3f, inside = -0.2f;
+  EXPECT_EQ(loss.evaluate(1, &below, &inside, 1.f, gradient.data()), 0.);
+  EXPECT_EQ(gradient[0], 0.f);
+  EXPECT_NEAR(loss.evaluate(1, &above, &inside, 1.f, gradient.data()),
+              0.4,
+              1e-7);
+  EXPECT_EQ(gradient[0], 1.f);
 }
 
 

@@ -10,9 +10,11 @@ namespace asperity
   {
     enum class Kind
     {
-      /** |c(f) - c(y)|, c(s) = min(d, max(-d, s)) with the clamp d: signed
-       *  distances, of which those near the boundary matter (Park et al. 2019,
-       *  equation 4). */
+      /** |f - c(y)|, c(y) = min(d, max(-d, y)) with the clamp d, or zero where
+       *  f and y lie beyond d on the same side: signed distances, of which
+       * those near the boundary matter. Park et al. (2019), equation 4, clamp
+       * f, too, but then an output beyond d does not learn that it is on the
+       * wrong side. */
       clamped_distance,
 
       squared ///< (f - y)^2, fields
