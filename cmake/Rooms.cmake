@@ -90,7 +90,8 @@ set(apart base/archive base/commented_parameters base/input_record base/mpi_sess
   experiment/conditions_command experiment/experiment_parameters
   contact/contact_state contact/shear_results contact_zone/sliding_run_interface
   contact_zone/sliding_run_results fluid_structure/enclosed_domain
-  fluid_structure/inflatable_box fluid_structure/lined_channel learning/training)
+  fluid_structure/inflatable_box fluid_structure/lined_channel learned_shapes/commands
+  learned_shapes/shape_study learned_shapes/shape_tables learning/training)
 list(TRANSFORM apart PREPEND ${CMAKE_SOURCE_DIR}/source/)
 list(TRANSFORM apart APPEND .cc)
 set_source_files_properties(${apart} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

@@ -12,6 +12,7 @@
 #include <asperity/contact_zone/commands.h>
 #include <asperity/experiment/commands.h>
 #include <asperity/fluid_structure/commands.h>
+#include <asperity/learned_shapes/commands.h>
 #include <asperity/topography/commands.h>
 
 #include <deal.II/base/exceptions.h>
@@ -80,7 +81,8 @@ namespace
     static const std::map<std::string, Declare> kinds = {
       {"--campaign", declare_campaign_parameters},
       {"--fluid-structure", declare_fluid_structure_parameters},
-      {"--experiment", declare_experiment_parameters}};
+      {"--experiment", declare_experiment_parameters},
+      {"--shapes", declare_shape_parameters}};
     bool    markdown = false;
     Declare declare  = nullptr;
     for (std::size_t i = 1; i < arguments.size(); ++i)
@@ -88,12 +90,12 @@ namespace
         markdown = true;
       else if (const auto kind = kinds.find(arguments[i]); kind == kinds.end())
         throw InputError("'asperity parameters' takes no argument but "
-                         "'--campaign', '--fluid-structure', '--experiment' "
-                         "and '--markdown'.");
+                         "'--campaign', '--fluid-structure', '--experiment', "
+                         "'--shapes' and '--markdown'.");
       else if (declare != nullptr)
         throw InputError("'asperity parameters' takes only one of "
-                         "'--campaign', '--fluid-structure' and "
-                         "'--experiment'.");
+                         "'--campaign', '--fluid-structure', "
+                         "'--experiment' and '--shapes'.");
       else
         declare = kind->second;
     dealii::ParameterHandler handler;
@@ -120,7 +122,8 @@ namespace
                   {"topography", report_topography},
                   {"characterize", on_file(characterize)},
                   {"sensitivity", report_sensitivity},
-                  {"conditions", on_file(print_conditions)}};
+                  {"conditions", on_file(print_conditions)},
+                  {"shapes", on_file(learn_shapes)}};
     if (arguments.empty())
       throw InputError("This program is a part of asperity; please call that.");
     const auto command = commands.find(arguments[0]);

@@ -102,6 +102,15 @@ TEST_F(Commands, the_reference_of_experiments_is_the_one_in_the_documentation)
        "doc/experiment_parameters.md";
 }
 
+TEST_F(Commands, the_reference_of_shapes_is_the_one_in_the_documentation)
+{
+  std::ifstream     file(ASPERITY_SOURCE_DIR "/doc/shape_parameters.md");
+  const std::string documented{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_EQ(run("parameters --shapes --markdown").output, documented)
+    << "renew it: build/asperity parameters --shapes --markdown > "
+       "doc/shape_parameters.md";
+}
+
 TEST_F(Commands, an_empty_file_is_said_to_be_the_default_scene)
 {
   write("empty.prm", "# nothing\n");
@@ -160,7 +169,7 @@ TEST_F(Commands, wrong_command_lines_are_refused)
             0u);
   EXPECT_EQ(errors("parameters --html"),
             "Error: 'asperity parameters' takes no argument but "
-            "'--campaign', '--fluid-structure', '--experiment' and "
+            "'--campaign', '--fluid-structure', '--experiment', '--shapes' and "
             "'--markdown'.\n");
   for (const std::string command : {"", "run ", "check ", "topography "})
     EXPECT_EQ(errors(command + "none.prm"),
