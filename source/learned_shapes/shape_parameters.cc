@@ -6,13 +6,16 @@ namespace asperity
 {
   ShapeParameters::ShapeParameters()
   {
-    // A tenth of the samples of Park et al. (2019) and shorter training want
-    // larger rates.
-    training.n_epochs          = 600;
-    training.points_per_sample = 500;
-    training.weights           = {2e-3, 0.5, 100};
-    training.codes             = {5e-3, 0.5, 100};
-    network.width              = 64;
+    // Small networks that are trained for minutes want other settings than
+    // those of Park et al. (2019): with small steps, large batches and codes
+    // that begin far apart the distance that remains is four times as large
+    // after as many operations.
+    training.n_epochs            = 1200;
+    training.points_per_sample   = 100;
+    training.weights             = {5e-3, 0.5, 200};
+    training.codes               = {5e-3, 0.5, 200};
+    training.initial_code_length = 0.05;
+    network.width                = 64;
   }
 
 
@@ -139,6 +142,11 @@ namespace asperity
                       training.code_regularization,
                       Range::non_negative(),
                       "Factor of the mean length of codes in the loss.");
+    parameters.number("Initial code length",
+                      training.initial_code_length,
+                      Range::positive(),
+                      "About how long the random codes are that training "
+                      "begins with.");
     parameters.integer("Parts of a batch",
                        training.n_parts,
                        Range::between(1, 1024),

@@ -186,6 +186,37 @@ namespace asperity
 
 
 
+  /** Of matrix and offsets, with the derivatives by a layer's sums in delta. */
+  template <typename Number>
+  void
+  Decoder<Number>::add_layer_gradient(const unsigned int layer,
+                                      const std::size_t  n,
+                                      const Workspace   &workspace,
+                                      Number            *gradient) const
+  {
+    const unsigned int  in    = shape_.inputs_of(layer);
+    const unsigned int  out   = shape_.outputs_of(layer);
+    const Number *const delta = workspace.delta.data();
+    gemm('N',
+         'T',
+         out,
+         in,
+         n,
+         delta,
+         out,
+         workspace.values[layer].data(),
+         in,
+         Number(1),
+         gradient,
+         out);
+    Number *const offsets = gradient + std::size_t(in) * out;
+    for (std::size_t j = 0; j < n; ++j)
+      for (unsigned int i = 0; i < out; ++i)
+        offsets[i] += delta[j * out + i];
+  }
+
+
+
   template <typename Number>
   void
   Decoder<Number>::add_gradient(const std::size_t n,
@@ -214,25 +245,7 @@ namespace asperity
         const unsigned int in  = shape_.inputs_of(layer);
         const unsigned int out = shape_.outputs_of(layer);
         if (d_parameters != nullptr)
-          {
-            Number *const g = d_parameters + first[layer];
-            gemm('N',
-                 'T',
-                 out,
-                 in,
-                 n,
-                 delta,
-                 out,
-                 workspace.values[layer].data(),
-                 in,
-                 Number(1),
-                 g,
-                 out);
-            Number *const g_offset = g + std::size_t(in) * out;
-            for (std::size_t j = 0; j < n; ++j)
-              for (unsigned int i = 0; i < out; ++i)
-                g_offset[i] += delta[j * out + i];
-          }
+          add_layer_gradient(layer, n, workspace, d_parameters + first[layer]);
         const bool feeds_inputs = layer == 0 || layer == shape_.skip_layer;
         if (layer == 0 && d_inputs == nullptr)
           return;

@@ -165,6 +165,12 @@ namespace asperity
       return parameters_.data() + first[layer];
     }
 
+    void
+    add_layer_gradient(const unsigned int layer,
+                       const std::size_t  n,
+                       const Workspace   &workspace,
+                       Number            *gradient) const;
+
     DecoderShape             shape_;
     std::vector<std::size_t> first; ///< parameter of each layer
     std::vector<Number>      parameters_;
