@@ -128,9 +128,15 @@ namespace asperity
     for (const PlannedPoint &point : plan_.points())
       for (unsigned int k = 0; k < plan_.n_profiles(); ++k)
         {
-          const RunOrder order  = plan_.order(point, k);
-          const auto     record = read_record(results_.path_of(order), order);
-          if (!record ||
+          RunOrder   order  = plan_.order(point, k);
+          const auto record = read_record(results_.path_of(order), order);
+          if (plan_.wants_fields())
+            order.field_file = results_.field_file_of(order);
+          // Fields are written before the record.
+          const bool misses_fields = record && record->done &&
+                                     !order.field_file.empty() &&
+                                     !std::filesystem::exists(order.field_file);
+          if (!record || misses_fields ||
               (!record->done && parameters.repeat_failed_runs && first_try))
             orders.push_back(order);
         }

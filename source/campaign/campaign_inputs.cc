@@ -287,6 +287,7 @@ namespace asperity
     base_scene_text = text.str();
     base_scene      = lowest.record;
     wants_accuracy  = lowest.parameters.accuracy.is_wanted();
+    wants_fields    = !lowest.parameters.output.field_times.empty();
     check_profiles(parameters.profile_positions,
                    *scene,
                    declarator.where("Campaign/Profile positions"));

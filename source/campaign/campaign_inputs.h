@@ -32,6 +32,9 @@ namespace asperity
     /** Whether the base scene asks for its error or for settings by it, which
      *  no run of a campaign does. */
     bool wants_accuracy = false;
+
+    /** Whether each run keeps its fields. */
+    bool wants_fields = false;
   };
 
   /** The entry that tells profiles of a measured tool apart. */

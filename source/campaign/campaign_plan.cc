@@ -21,6 +21,7 @@ namespace asperity
     base_scene_text_ = found.base_scene_text;
     base_scene       = found.base_scene;
     wants_accuracy   = found.wants_accuracy;
+    wants_fields_    = found.wants_fields;
   }
 
 
@@ -80,6 +81,9 @@ namespace asperity
                   " in exported tables (Export at)";
         text += "\n";
       }
+    if (wants_fields_)
+      text += "  each run keeps its fields (Output/Field times), for 'asperity "
+              "reduce'\n";
     if (wants_accuracy)
       text += "  Accuracy/Control of the base scene does not count: all points "
               "are computed with its mesh, steps and penalty, so that mu does "
@@ -185,6 +189,14 @@ namespace asperity
                          [test](const PlannedPoint &point) {
                            return point.test == test;
                          });
+  }
+
+
+
+  bool
+  CampaignPlan::wants_fields() const
+  {
+    return wants_fields_;
   }
 
 

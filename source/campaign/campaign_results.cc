@@ -66,6 +66,15 @@ namespace asperity
 
 
 
+  std::string
+  CampaignResults::field_file_of(const RunOrder &order) const
+  {
+    return parameters.directory + "/runs/" + order.name(plan.n_profiles()) +
+           ".h5";
+  }
+
+
+
   Sample
   CampaignResults::combine(const PlannedPoint           &point,
                            const std::vector<RunRecord> &records) const

@@ -75,7 +75,8 @@ namespace asperity
     try
       {
         SceneInput input(base_scene, order.changes);
-        record = record_of(compute_scene(input.parameters));
+        record =
+          record_of(compute_scene(input.parameters, Ranks(), order.field_file));
         if (!std::isfinite(record.mu))
           record = failure("mu is not a finite number.");
       }

@@ -145,6 +145,8 @@ namespace asperity
     start.temperature    = parameters.load.temperature;
     start.plastic_strain = parameters.load.plastic_strain;
     chip->initialize(start);
+    if (!parameters.output.field_times.empty())
+      chip->keep_stress();
   }
 
 

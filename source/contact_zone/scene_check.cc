@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "patch_check.h"
 
@@ -283,6 +284,34 @@ namespace asperity
         fail("multipliers of the contact", "Contact/Augmentations = 0");
     }
 
+    /** Fields are those of fixed places at times that are known. */
+    void
+    check_field_times(const SceneParameters     &p,
+                      const ParameterDeclarator &parameters)
+    {
+      const std::vector<double> &times = p.output.field_times;
+      const auto                 fail  = [&](const std::string &found,
+                            const std::string &expected) {
+        throw InputError(parameters.where("Output/Field times") + ": found " +
+                         found + "; expected " + expected + ".");
+      };
+      if (std::adjacent_find(times.begin(),
+                             times.end(),
+                             std::greater_equal<>()) != times.end())
+        fail("times that do not grow", "shares of t_end in growing order");
+      if (p.geometry.dimension == 3)
+        fail("times with a patch", "nothing, or Geometry/Dimension = 2");
+      if (p.mesh.adaptive_levels > 0)
+        fail("times with a mesh that changes",
+             "nothing, or Mesh/Adaptive levels = 0");
+      if (p.accuracy.is_adaptive())
+        fail("times with Accuracy/Control = adaptive, which changes the mesh",
+             "nothing, or Accuracy/Control = estimate or off");
+      if (p.protocol.window == FrictionWindow::steady)
+        fail("times with a window that ends when mu is steady",
+             "nothing, or Protocol/Friction window = time");
+    }
+
     /** A chip near its melting temperature carries nothing. */
     void
     check_temperature(const SceneParameters     &p,
@@ -341,6 +370,8 @@ namespace asperity
     check_interface(*this, parameters);
     check_continuity(*this, parameters);
     check_adaptive_levels(*this, parameters);
+    if (!output.field_times.empty())
+      check_field_times(*this, parameters);
     if (geometry.dimension == 3)
       check_patch(*this, parameters);
     else

@@ -1,3 +1,4 @@
+#include <asperity/contact_zone/field_recorder.h>
 #include <asperity/contact_zone/mechanisms.h>
 #include <asperity/contact_zone/scene_computation.h>
 #include <asperity/contact_zone/scene_input.h>
@@ -151,13 +152,36 @@ namespace asperity
 
   namespace
   {
+    /** A patch has none. */
+    template <int dim>
+    void
+    run_with_fields(SlidingRun<dim>       &run,
+                    const Scene<dim>      &scene,
+                    const SceneParameters &parameters,
+                    const std::string     &field_file)
+    {
+      if constexpr (dim == 2)
+        if (!field_file.empty() && !parameters.output.field_times.empty())
+          {
+            FieldRecorder recorder(parameters, scene);
+            run.run([&](const SlidingRun<2> &now) { recorder.step(now); });
+            recorder.fields().write(field_file);
+            return;
+          }
+      run.run([](const SlidingRun<dim> &) {});
+    }
+
+
+
     template <int dim>
     SceneResult
-    compute(SceneParameters &parameters, const Ranks &ranks)
+    compute(SceneParameters   &parameters,
+            const Ranks       &ranks,
+            const std::string &field_file)
     {
       const AuditedScene<dim> audited(parameters, ranks);
       SlidingRun<dim>         run(parameters, *audited.scene);
-      run.run([](const SlidingRun<dim> &) {});
+      run_with_fields(run, *audited.scene, parameters, field_file);
 
       SceneResult result;
       result.friction      = run.friction();
@@ -184,9 +208,12 @@ namespace asperity
 
 
   SceneResult
-  compute_scene(SceneParameters &parameters, const Ranks &ranks)
+  compute_scene(SceneParameters   &parameters,
+                const Ranks       &ranks,
+                const std::string &field_file)
   {
-    return parameters.geometry.dimension == 3 ? compute<3>(parameters, ranks) :
-                                                compute<2>(parameters, ranks);
+    return parameters.geometry.dimension == 3 ?
+             compute<3>(parameters, ranks, field_file) :
+             compute<2>(parameters, ranks, field_file);
   }
 } // namespace asperity

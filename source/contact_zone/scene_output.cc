@@ -37,6 +37,12 @@ namespace asperity
     files = std::make_unique<Files>(directory, state.rows, kept(state));
     if (scene.gap_flow != nullptr)
       files->oil = std::make_unique<VtuSeries>(directory, "oil", kept(state));
+    if constexpr (dim == 2)
+      if (!parameters.output.field_times.empty())
+        {
+          recorder = std::make_unique<FieldRecorder>(parameters, scene);
+          recorder->go_on(directory + "/fields.h5", state);
+        }
   }
 
 
@@ -65,6 +71,7 @@ namespace asperity
     if (parameters.output.picture_interval > 0 &&
         step % parameters.output.picture_interval == 0)
       write_pictures(run);
+    write_fields(run);
     if (files && parameters.output.checkpoint_interval > 0 &&
         step % parameters.output.checkpoint_interval == 0)
       write_checkpoint(run);
@@ -129,6 +136,17 @@ namespace asperity
       files->chip.write(step, time, [&](std::ostream &out) {
         ChipOutput<dim>::write(out, pieces);
       });
+  }
+
+
+
+  template <int dim>
+  void
+  SceneOutput<dim>::write_fields(const SlidingRun<dim> &run)
+  {
+    if constexpr (dim == 2)
+      if (recorder && recorder->step(run))
+        recorder->fields().write(parameters.output.directory + "/fields.h5");
   }
 
 

@@ -100,6 +100,11 @@ namespace asperity
                           input.record,
                           version_line());
         load(found.checkpoint.state, run_, *audited_.scene);
+        if constexpr (dim == 2)
+          if (!parameters().output.field_times.empty())
+            FieldRecorder(parameters(), *audited_.scene)
+              .go_on(parameters().output.directory + "/fields.h5",
+                     run_.state());
         notes_.insert(notes_.end(),
                       found.warnings.begin(),
                       found.warnings.end());

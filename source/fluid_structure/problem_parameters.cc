@@ -194,6 +194,10 @@ namespace asperity
   void
   FluidStructureParameters::check(const ParameterDeclarator &parameters) const
   {
+    if (!output.field_times.empty())
+      throw InputError(parameters.where("Output/Field times") +
+                       ": found times with a problem without contact; expected "
+                       "nothing, since fields are those of a contact scene.");
     tool.check(parameters, "Tool");
     chip_surface.check(parameters, "Chip surface");
     if (geometry.dimension != 2)

@@ -16,7 +16,7 @@ namespace asperity
     const char *const summary = "summary\\.json";
     const char *const results =
       "friction\\.csv|friction_units\\.csv|"
-      "fluid_structure\\.csv|"
+      "fluid_structure\\.csv|fields\\.h5|"
       "(chip|tool|contact|oil|fluid|body)(\\.pvd|_[0-9]+\\.vtu)";
     const char *const checkpoints = "step_[0-9]+\\.checkpoint";
 

@@ -159,6 +159,8 @@ namespace asperity
           return false;
         new_history[first + q] = s.responses[q].state;
         mises[first + q]       = s.responses[q].mises;
+        if (!stress_.empty())
+          stress_[first + q] = s.responses[q].P;
       }
     return true;
   }
@@ -232,6 +234,8 @@ namespace asperity
   {
     share.ranks.share(share.owner, new_history);
     share.ranks.share(share.owner, mises);
+    if (!stress_.empty())
+      share.ranks.share(share.owner, stress_);
     old_history = new_history;
   }
 

@@ -81,6 +81,10 @@ namespace asperity
     unsigned int
     n_profiles() const;
 
+    /** Whether the base scene has Output/Field times. */
+    bool
+    wants_fields() const;
+
     RunOrder
     order(const PlannedPoint &point, const unsigned int profile) const;
 
@@ -105,6 +109,7 @@ namespace asperity
     std::string               base_scene_text_;
     InputRecord               base_scene;
     bool                      wants_accuracy = false; ///< of the base scene
+    bool                      wants_fields_  = false; ///< the same
     std::string               warning_;
   };
 } // namespace asperity

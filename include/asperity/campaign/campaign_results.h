@@ -29,6 +29,10 @@ namespace asperity
     std::string
     path_of(const RunOrder &order) const;
 
+    /** Where a run keeps its fields, beside its record. */
+    std::string
+    field_file_of(const RunOrder &order) const;
+
     /** Reads all records of the plan. */
     void
     collect();

@@ -17,6 +17,10 @@ namespace asperity
     unsigned int profile = 0; ///< 0 for the first
     EntryValues  changes;     ///< of the base scene
 
+    /** File that its fields go into, if the base scene has Output/Field times;
+     *  or empty. */
+    std::string field_file;
+
     /** "0012", or "0012_p3" on the third profile. */
     std::string
     name(const unsigned int n_profiles) const;

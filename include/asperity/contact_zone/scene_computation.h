@@ -32,14 +32,18 @@ namespace asperity
   };
 
   /**
-   * Computes a scene without writing anything.
+   * Computes a scene, and writes nothing but its fields if they are asked for.
    * @param parameters checked; models chosen by `automatic` go into them
    * @param ranks that compute a patch together
+   * @param field_file which a profile's Output/Field times are written into;
+   *   empty: none
    * @throws InputError if no scene can be built of them
    * @throws ComputationError if a step fails after all cuts
    */
   SceneResult
-  compute_scene(SceneParameters &parameters, const Ranks &ranks = Ranks());
+  compute_scene(SceneParameters   &parameters,
+                const Ranks       &ranks      = Ranks(),
+                const std::string &field_file = "");
 
   /** Warnings of the audit and of a run that has ended. */
   template <int dim>

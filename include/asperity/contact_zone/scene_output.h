@@ -4,6 +4,7 @@
 #include <asperity/base/input_record.h>
 #include <asperity/contact_zone/accuracy_control.h>
 #include <asperity/contact_zone/audit.h>
+#include <asperity/contact_zone/field_recorder.h>
 #include <asperity/contact_zone/sliding_run.h>
 #include <asperity/postprocess/checkpoint.h>
 #include <asperity/postprocess/chip_output.h>
@@ -19,8 +20,8 @@ namespace asperity
 {
   /**
    * The output directory of a run: friction.csv, pictures of chip, tool,
-   * contact line and flow, checkpoints, and at the end summary.json. On several
-   * ranks each draws its cells of the chip, and the first one writes.
+   * contact line and flow, fields, checkpoints, and at the end summary.json. On
+   * several ranks each draws its cells of the chip, and the first one writes.
    */
   template <int dim>
   class SceneOutput
@@ -38,7 +39,8 @@ namespace asperity
                 const Scene<dim>      &scene,
                 const RunState        &state);
 
-    /** Table row always; pictures and checkpoints at their intervals.
+    /** Table row always; pictures and checkpoints at their intervals, fields
+     *  at their times.
      *  Collective. */
     void
     step(const SlidingRun<dim> &run);
@@ -83,6 +85,9 @@ namespace asperity
     write_chip(const SlidingRun<dim> &run);
 
     void
+    write_fields(const SlidingRun<dim> &run);
+
+    void
     write_tool(const unsigned int step, const double time);
 
     /** The contact edge: a line, or a surface in three dimensions. */
@@ -99,6 +104,8 @@ namespace asperity
     std::unique_ptr<Files>                      files; ///< of the first rank
     unsigned int                                last_picture = 0;
     double                                      seconds_     = 0.;
+    std::unique_ptr<FieldRecorder> recorder; ///< of a profile whose fields go
+                                             ///< into fields.h5
   };
 
   template <>

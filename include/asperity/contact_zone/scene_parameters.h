@@ -287,7 +287,11 @@ namespace asperity
     unsigned int picture_interval = 8; ///< steps between VTU files; 0: end only
     unsigned int checkpoint_interval = 10; ///< steps; 0: none
     unsigned int subdivisions        = 2;
-    bool         restart             = false;
+
+    /** Shares of t_end at which fields.h5 gets the fields of the chip; empty:
+     *  there is none. */
+    std::vector<double> field_times;
+    bool                restart = false;
 
     void
     declare(ParameterDeclarator &parameters);

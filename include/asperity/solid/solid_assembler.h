@@ -93,6 +93,21 @@ namespace asperity
     const std::vector<double> &
     mises_stress() const;
 
+    /** From the next evaluation on stress() is kept. */
+    void
+    keep_stress()
+    {
+      stress_.resize(table_.JxW.size());
+    }
+
+    /** First Piola-Kirchhoff stress at the last evaluated u, one a point of
+     *  table(); empty unless it is kept [Pa]. */
+    const std::vector<dealii::Tensor<2, 3>> &
+    stress() const
+    {
+      return stress_;
+    }
+
     /** Consistent mass matrix, integral of rho0 N_a N_b, all components. */
     void
     assemble_mass(dealii::SparseMatrix<double> &mass) const override;
@@ -150,6 +165,8 @@ namespace asperity
     double                     dt = 1.;
     std::vector<MaterialState> old_history, new_history;
     std::vector<double>        mises;
+
+    std::vector<dealii::Tensor<2, 3>> stress_; ///< empty unless it is kept
   };
 } // namespace asperity
 
