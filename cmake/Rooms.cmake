@@ -22,7 +22,8 @@ endfunction()
 # asperity_precompile(target room): where a room rests on deal.II, its headers take
 # half of the time of a compilation and are parsed once for all.
 set(rooms_on_deal_ii splines isogeometric solvers solid contact heat postprocess
-  flow lubricant mesh_motion coupling contact_zone fluid_structure campaign learned_shapes)
+  flow lubricant mesh_motion coupling contact_zone fluid_structure campaign learned_fields
+  learned_shapes)
 function(asperity_precompile target room)
   if(NOT ASPERITY_PRECOMPILE_HEADERS OR NOT room IN_LIST rooms_on_deal_ii)
     return()

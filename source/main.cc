@@ -69,6 +69,13 @@ namespace
       {"predict LAW -p P -v V -T T",
        "friction coefficient of a trained law, with its certainty",
        predict_friction},
+      {"reduce CAMPAIGN [--latent N]",
+       "learn the fields of a campaign's runs",
+       nullptr},
+      {"field MODEL -p P -v V -T T",
+       "fields of a contact zone from a learnt model, and how far to trust "
+       "them",
+       nullptr},
       {"export LAW DIRECTORY",
        "a trained law for Abaqus, DEFORM, LS-DYNA, C and Fortran",
        export_friction_law},

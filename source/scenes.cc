@@ -12,6 +12,7 @@
 #include <asperity/contact_zone/commands.h>
 #include <asperity/experiment/commands.h>
 #include <asperity/fluid_structure/commands.h>
+#include <asperity/learned_fields/commands.h>
 #include <asperity/learned_shapes/commands.h>
 #include <asperity/topography/commands.h>
 
@@ -122,6 +123,8 @@ namespace
                   {"topography", report_topography},
                   {"characterize", on_file(characterize)},
                   {"sensitivity", report_sensitivity},
+                  {"reduce", reduce_fields},
+                  {"field", predict_fields},
                   {"conditions", on_file(print_conditions)},
                   {"shapes", on_file(learn_shapes)}};
     if (arguments.empty())
