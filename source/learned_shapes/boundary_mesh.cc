@@ -107,6 +107,10 @@ namespace asperity
   BoundaryMesh<dim>::BoundaryMesh(BoundaryMesh &&) noexcept = default;
 
   template <int dim>
+  BoundaryMesh<dim> &
+  BoundaryMesh<dim>::operator=(BoundaryMesh &&) noexcept = default;
+
+  template <int dim>
   BoundaryMesh<dim>::~BoundaryMesh() = default;
 
 

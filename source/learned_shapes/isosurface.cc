@@ -71,6 +71,7 @@ namespace asperity
     march(const BatchFunction            &function,
           const double                    half_box,
           const unsigned int              n,
+          const unsigned int              n_subdivisions,
           std::vector<Point<dim>>        &points,
           std::vector<CellData<dim - 1>> &cells)
     {
@@ -89,7 +90,9 @@ namespace asperity
           coordinates.push_back(node[d]);
       const std::vector<double> values = function(coordinates);
       const Vector<double>      vector(values.begin(), values.end());
-      GridTools::MarchingCubeAlgorithm<dim, Vector<double>>(mapping, fe)
+      GridTools::MarchingCubeAlgorithm<dim, Vector<double>>(mapping,
+                                                            fe,
+                                                            n_subdivisions)
         .process(dof_handler, vector, 0., points, cells);
     }
 
@@ -128,6 +131,39 @@ namespace asperity
         if (values[2 * i] > values[2 * i + 1])
           std::swap(simplices[i][0], simplices[i][1]);
     }
+
+
+
+    /** The surface on a grid of which each cell is cut into parts. */
+    template <int dim>
+    BoundaryMesh<dim>
+    cut(const BatchFunction &function,
+        const double         half_box,
+        const unsigned int   n,
+        const unsigned int   n_subdivisions)
+    {
+      const double                   h = 2. * half_box / n / n_subdivisions;
+      std::vector<Point<dim>>        points;
+      std::vector<CellData<dim - 1>> cells;
+      march(function, half_box, n, n_subdivisions, points, cells);
+
+      PointNumbers<dim>                                numbers(1e-6 * h);
+      std::vector<typename BoundaryMesh<dim>::Simplex> simplices;
+      for (const CellData<dim - 1> &cell : cells)
+        {
+          typename BoundaryMesh<dim>::Simplex simplex;
+          for (unsigned int k = 0; k < dim; ++k)
+            simplex[k] = numbers.number(points[cell.vertices[k]]);
+          // where the surface passes through a node, simplices may be points
+          if (std::set<unsigned int>(simplex.begin(), simplex.end()).size() ==
+              dim)
+            simplices.push_back(simplex);
+        }
+      if (simplices.empty())
+        throw InputError("The function has no zero in the box.");
+      turn_outwards(function, 0.1 * h, numbers.points, simplices);
+      return {numbers.points, simplices};
+    }
   } // namespace
 
 
@@ -138,27 +174,13 @@ namespace asperity
              const double         half_box,
              const unsigned int   n)
   {
-    const double                   h = 2. * half_box / n;
-    std::vector<Point<dim>>        points;
-    std::vector<CellData<dim - 1>> cells;
-    march(function, half_box, n, points, cells);
-
-    PointNumbers<dim>                                numbers(1e-6 * h);
-    std::vector<typename BoundaryMesh<dim>::Simplex> simplices;
-    for (const CellData<dim - 1> &cell : cells)
-      {
-        typename BoundaryMesh<dim>::Simplex simplex;
-        for (unsigned int k = 0; k < dim; ++k)
-          simplex[k] = numbers.number(points[cell.vertices[k]]);
-        // where the surface passes through a node, simplices may be points
-        if (std::set<unsigned int>(simplex.begin(), simplex.end()).size() ==
-            dim)
-          simplices.push_back(simplex);
-      }
-    if (simplices.empty())
-      throw InputError("The function has no zero in the box.");
-    turn_outwards(function, 0.1 * h, numbers.points, simplices);
-    return {numbers.points, simplices};
+    // deal.II leaves out a cell in which two opposite corners are inside and
+    // the others are not, as at a sharp tip: smaller parts of it, in which the
+    // function is bilinear, have no such corners.
+    BoundaryMesh<dim> result = cut<dim>(function, half_box, n, 1);
+    for (unsigned int parts = 2; parts <= 4 && !result.is_closed(); parts *= 2)
+      result = cut<dim>(function, half_box, n, parts);
+    return result;
   }
 
 

@@ -207,6 +207,25 @@ TEST(Isosurface, passes_through_nodes)
 
 
 
+TEST(Isosurface, is_closed_where_opposite_corners_of_a_cell_are_inside)
+{
+  // two squares that overlap by a tenth of the cell in the middle
+  const double h = 2. / 17., o = 0.05 * h;
+  const auto   both = isosurface<2>(
+    in_batches<2>([o](const Point<2> &p) {
+      const double half = 0.35 + 0.5 * o, at = 0.35 - 0.5 * o;
+      return std::min(
+        distance_to_box(Point<2>(p[0] - at, p[1] - at), {half, half}),
+        distance_to_box(Point<2>(p[0] + at, p[1] + at), {half, half}));
+    }),
+    1.,
+    17);
+  EXPECT_TRUE(both.is_closed());
+  EXPECT_EQ(both.euler_number(), 1);
+}
+
+
+
 TEST(Isosurface, of_bodies_in_space_counts_their_holes)
 {
   const auto ball = isosurface<3>(

@@ -33,6 +33,9 @@ namespace asperity
 
     BoundaryMesh(BoundaryMesh &&) noexcept;
 
+    BoundaryMesh &
+    operator=(BoundaryMesh &&) noexcept;
+
     ~BoundaryMesh() override;
 
     const std::vector<dealii::Point<dim>> &

@@ -18,6 +18,8 @@ namespace asperity
    * cubes (Lorensen and Cline 1987; deal.II's) in n^dim cells of a cube around
    * zero, in each of which it is taken for bilinear. Vertices of neighbouring
    * cells become one, and simplices turn outwards.
+   * Cells are cut into parts, up to four a direction, if the surface is not
+   * closed otherwise.
    * @param half_box half of the cube's edge
    * @throws InputError if the function has no zero there
    */
