@@ -57,7 +57,8 @@ namespace asperity
     static constexpr double epsilon = 1e-8;
 
   private:
-    unsigned long       n_steps = 0;
+    // not as long as a length, which an archive holds against its own
+    unsigned int        n_steps = 0;
     std::vector<Number> mean, square;
   };
 } // namespace asperity
