@@ -1,14 +1,16 @@
 #include <asperity/base/errors.h>
 #include <asperity/learned_shapes/isosurface.h>
 
+#include <deal.II/base/function_lib.h>
+#include <deal.II/base/table.h>
 #include <deal.II/dofs/dof_handler.h>
-#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/mapping_q1.h>
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria.h>
 #include <deal.II/lac/vector.h>
+#include <deal.II/numerics/vector_tools_interpolate.h>
 
 #include <array>
 #include <cmath>
@@ -65,10 +67,46 @@ namespace asperity
 
 
 
-    /** Cuts a function on a grid at zero. */
+    /** A function as it is taken in n cells along each edge of the cube: by its
+     *  values at their corners, linear along each coordinate between them. */
+    template <int dim>
+    using GridFunction = Functions::InterpolatedUniformGridData<dim>;
+
+    template <int dim>
+    GridFunction<dim>
+    on_grid(const BatchFunction &function,
+            const double         half_box,
+            const unsigned int   n)
+    {
+      TableIndices<dim>                          size;
+      std::array<std::pair<double, double>, dim> box;
+      std::array<unsigned int, dim>              cells;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          size[d]  = n + 1;
+          box[d]   = {-half_box, half_box};
+          cells[d] = n;
+        }
+      // the last index of a table runs fastest where it is filled
+      const std::size_t   n_nodes = std::lround(std::pow(n + 1, dim));
+      std::vector<double> coordinates(dim * n_nodes);
+      for (std::size_t i = 0; i < n_nodes; ++i)
+        for (std::size_t d = dim, rest = i; d-- > 0; rest /= n + 1)
+          coordinates[dim * i + d] =
+            half_box * (2. * (rest % (n + 1)) / n - 1.);
+      const std::vector<double> values = function(coordinates);
+      Table<dim, double>        table;
+      table.reinit(size);
+      table.fill(values.begin());
+      return {box, cells, table};
+    }
+
+
+
+    /** Cuts it at zero, in cells that are cut into parts. */
     template <int dim>
     void
-    march(const BatchFunction            &function,
+    march(const GridFunction<dim>        &function,
           const double                    half_box,
           const unsigned int              n,
           const unsigned int              n_subdivisions,
@@ -81,33 +119,26 @@ namespace asperity
       const MappingQ1<dim> mapping;
       DoFHandler<dim>      dof_handler(grid);
       dof_handler.distribute_dofs(fe);
-      std::vector<Point<dim>> nodes(dof_handler.n_dofs());
-      DoFTools::map_dofs_to_support_points(mapping, dof_handler, nodes);
-      std::vector<double> coordinates;
-      coordinates.reserve(dim * nodes.size());
-      for (const Point<dim> &node : nodes)
-        for (unsigned int d = 0; d < dim; ++d)
-          coordinates.push_back(node[d]);
-      const std::vector<double> values = function(coordinates);
-      const Vector<double>      vector(values.begin(), values.end());
+      Vector<double> values(dof_handler.n_dofs());
+      VectorTools::interpolate(mapping, dof_handler, function, values);
       GridTools::MarchingCubeAlgorithm<dim, Vector<double>>(mapping,
                                                             fe,
                                                             n_subdivisions)
-        .process(dof_handler, vector, 0., points, cells);
+        .process(dof_handler, values, 0., points, cells);
     }
 
 
 
-    /** Turns the simplices so that the function grows across them. */
+    /** Turns the simplices so that the function grows across them; that of the
+     *  grid, since at a sharp tip the other one may already fall again. */
     template <int dim>
     void
-    turn_outwards(const BatchFunction                              &function,
+    turn_outwards(const GridFunction<dim>                          &function,
                   const double                                      step,
                   const std::vector<Point<dim>>                    &points,
                   std::vector<typename BoundaryMesh<dim>::Simplex> &simplices)
     {
-      std::vector<double> places;
-      for (const auto &simplex : simplices)
+      for (auto &simplex : simplices)
         {
           Point<dim> middle;
           for (const unsigned int v : simplex)
@@ -121,15 +152,10 @@ namespace asperity
           else
             normal = cross_product_3d(points[simplex[1]] - points[simplex[0]],
                                       points[simplex[2]] - points[simplex[0]]);
-          for (const double sign : {-1., 1.})
-            for (unsigned int d = 0; d < dim; ++d)
-              places.push_back(middle[d] +
-                               sign * step * normal[d] / normal.norm());
+          normal *= step / normal.norm();
+          if (function.value(middle - normal) > function.value(middle + normal))
+            std::swap(simplex[0], simplex[1]);
         }
-      const std::vector<double> values = function(places);
-      for (std::size_t i = 0; i < simplices.size(); ++i)
-        if (values[2 * i] > values[2 * i + 1])
-          std::swap(simplices[i][0], simplices[i][1]);
     }
 
 
@@ -145,7 +171,8 @@ namespace asperity
       const double                   h = 2. * half_box / n / n_subdivisions;
       std::vector<Point<dim>>        points;
       std::vector<CellData<dim - 1>> cells;
-      march(function, half_box, n, n_subdivisions, points, cells);
+      const GridFunction<dim> values = on_grid<dim>(function, half_box, n);
+      march(values, half_box, n, n_subdivisions, points, cells);
 
       PointNumbers<dim>                                numbers(1e-6 * h);
       std::vector<typename BoundaryMesh<dim>::Simplex> simplices;
@@ -161,7 +188,7 @@ namespace asperity
         }
       if (simplices.empty())
         throw InputError("The function has no zero in the box.");
-      turn_outwards(function, 0.1 * h, numbers.points, simplices);
+      turn_outwards(values, 1e-3 * h, numbers.points, simplices);
       return {numbers.points, simplices};
     }
   } // namespace

@@ -12,7 +12,11 @@ TEST_F(Commands, help_lists_every_command)
                                     "asperity check FILE.prm",
                                     "asperity new SURFACE",
                                     "asperity parameters [--campaign | "
-                                    "--fluid-structure | --experiment]",
+                                    "--fluid-structure | --experiment | "
+                                    "--shapes]",
+                                    "asperity reduce CAMPAIGN",
+                                    "asperity field MODEL",
+                                    "asperity shapes FILE.prm",
                                     "asperity conditions FILE.prm",
                                     "asperity fit MEASURED.csv LAW",
                                     "asperity calibrate LAW",
