@@ -226,6 +226,24 @@ TEST(Isosurface, is_closed_where_opposite_corners_of_a_cell_are_inside)
 
 
 
+TEST(Isosurface, of_a_needle_turns_outwards)
+{
+  // A row of nodes lies in it, off its middle, so that it ends within a
+  // hundredth of a cell from them, and its distance falls again further inside.
+  const double thick = 0.002;
+  const auto   needle =
+    isosurface<2>(in_batches<2>([thick](const Point<2> &p) {
+                    return distance_to_box(Point<2>(p[0], p[1] - 0.75 * thick),
+                                           {0.53, thick});
+                  }),
+                  1.,
+                  16);
+  EXPECT_TRUE(needle.is_closed());
+  EXPECT_EQ(needle.euler_number(), 1);
+}
+
+
+
 TEST(Isosurface, of_bodies_in_space_counts_their_holes)
 {
   const auto ball = isosurface<3>(
