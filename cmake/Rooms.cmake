@@ -23,7 +23,7 @@ endfunction()
 # half of the time of a compilation and are parsed once for all.
 set(rooms_on_deal_ii splines isogeometric solvers solid contact heat postprocess
   flow lubricant mesh_motion coupling contact_zone fluid_structure campaign learned_fields
-  learned_shapes)
+  learned_shapes tool_design)
 function(asperity_precompile target room)
   if(NOT ASPERITY_PRECOMPILE_HEADERS OR NOT room IN_LIST rooms_on_deal_ii)
     return()

@@ -53,8 +53,8 @@ namespace
       {"new SURFACE [-p P] [-v V] [-T T] [--oil W]",
        "write a parameter file for a height map",
        nullptr},
-      {"parameters [--campaign | --fluid-structure | --experiment | --shapes] "
-       "[--markdown]",
+      {"parameters [--campaign | --fluid-structure | --experiment | --shapes "
+       "| --optimization] [--markdown]",
        "explain every parameter",
        nullptr},
       {"topography FILE.prm|MAP",
@@ -84,6 +84,9 @@ namespace
        nullptr},
       {"shapes FILE.prm",
        "learn shapes by a network, and judge what it has learned",
+       nullptr},
+      {"optimize FILE.prm",
+       "search a tool topography with less friction",
        nullptr},
       {"fit MEASURED.csv LAW",
        "a power law over the velocity from measured friction",

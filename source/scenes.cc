@@ -14,6 +14,7 @@
 #include <asperity/fluid_structure/commands.h>
 #include <asperity/learned_fields/commands.h>
 #include <asperity/learned_shapes/commands.h>
+#include <asperity/tool_design/commands.h>
 #include <asperity/topography/commands.h>
 
 #include <deal.II/base/exceptions.h>
@@ -83,7 +84,8 @@ namespace
       {"--campaign", declare_campaign_parameters},
       {"--fluid-structure", declare_fluid_structure_parameters},
       {"--experiment", declare_experiment_parameters},
-      {"--shapes", declare_shape_parameters}};
+      {"--shapes", declare_shape_parameters},
+      {"--optimization", declare_design_parameters}};
     bool    markdown = false;
     Declare declare  = nullptr;
     for (std::size_t i = 1; i < arguments.size(); ++i)
@@ -92,11 +94,11 @@ namespace
       else if (const auto kind = kinds.find(arguments[i]); kind == kinds.end())
         throw InputError("'asperity parameters' takes no argument but "
                          "'--campaign', '--fluid-structure', '--experiment', "
-                         "'--shapes' and '--markdown'.");
+                         "'--shapes', '--optimization' and '--markdown'.");
       else if (declare != nullptr)
         throw InputError("'asperity parameters' takes only one of "
                          "'--campaign', '--fluid-structure', "
-                         "'--experiment' and '--shapes'.");
+                         "'--experiment', '--shapes' and '--optimization'.");
       else
         declare = kind->second;
     dealii::ParameterHandler handler;
@@ -126,7 +128,8 @@ namespace
                   {"reduce", reduce_fields},
                   {"field", predict_fields},
                   {"conditions", on_file(print_conditions)},
-                  {"shapes", on_file(learn_shapes)}};
+                  {"shapes", on_file(learn_shapes)},
+                  {"optimize", on_file(optimize_tool)}};
     if (arguments.empty())
       throw InputError("This program is a part of asperity; please call that.");
     const auto command = commands.find(arguments[0]);

@@ -38,21 +38,22 @@ namespace asperity
       record.done = true;
       if (result.status != FrictionStatus::valid)
         record.no_result = asperity::name(result.status);
-      record.mu                 = result.friction.mu;
-      record.mu_end             = result.friction.mu_end;
-      record.spread             = result.friction.spread;
-      record.contact_fraction   = result.friction.contact_fraction;
-      record.oil_pressure       = result.friction.oil_pressure;
-      record.oil_load_share     = result.oil_load_share;
-      record.sliding_distance   = result.last.sliding_distance;
-      record.max_plastic_strain = result.last.max_plastic_strain;
-      record.max_temperature    = result.last.max_temperature;
-      record.over_distance      = result.over_distance;
-      record.lubricant          = result.lubricant;
-      record.mechanisms         = result.mechanisms;
-      record.warnings           = result.warnings;
-      record.steps              = result.steps;
-      record.newton_iterations  = result.newton_iterations;
+      record.mu                   = result.friction.mu;
+      record.mu_end               = result.friction.mu_end;
+      record.spread               = result.friction.spread;
+      record.contact_fraction     = result.friction.contact_fraction;
+      record.oil_pressure         = result.friction.oil_pressure;
+      record.oil_load_share       = result.oil_load_share;
+      record.sliding_distance     = result.last.sliding_distance;
+      record.max_plastic_strain   = result.last.max_plastic_strain;
+      record.max_temperature      = result.last.max_temperature;
+      record.max_contact_pressure = result.last.max_contact_pressure;
+      record.over_distance        = result.over_distance;
+      record.lubricant            = result.lubricant;
+      record.mechanisms           = result.mechanisms;
+      record.warnings             = result.warnings;
+      record.steps                = result.steps;
+      record.newton_iterations    = result.newton_iterations;
       return record;
     }
 
@@ -102,6 +103,9 @@ namespace asperity
 
   namespace
   {
+    /** Its name in records. */
+    constexpr char contact_pressure[] = "max_contact_pressure";
+
     json
     values_of(const RunOrder &order)
     {
@@ -145,6 +149,8 @@ namespace asperity
       for_each_number(record, [&](const char *name, double &value) {
         value = document.at("results").at(name);
       });
+      record.max_contact_pressure =
+        document.at("results").value(contact_pressure, 0.);
       for (const json &mean : document.at("over_distance"))
         record.over_distance.push_back(
           {mean.at("from"), mean.at("to"), mean.at("mu")});
@@ -173,7 +179,8 @@ namespace asperity
         for_each_number(record, [&](const char *name, const double value) {
           document["results"][name] = value;
         });
-        document["over_distance"] = json::array();
+        document["results"][contact_pressure] = record.max_contact_pressure;
+        document["over_distance"]             = json::array();
         for (const DistanceMean &mean : record.over_distance)
           document["over_distance"].push_back(
             {{"from", mean.from}, {"to", mean.to}, {"mu", mean.mu}});

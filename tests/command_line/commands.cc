@@ -13,10 +13,11 @@ TEST_F(Commands, help_lists_every_command)
                                     "asperity new SURFACE",
                                     "asperity parameters [--campaign | "
                                     "--fluid-structure | --experiment | "
-                                    "--shapes]",
+                                    "--shapes | --optimization]",
                                     "asperity reduce CAMPAIGN",
                                     "asperity field MODEL",
                                     "asperity shapes FILE.prm",
+                                    "asperity optimize FILE.prm",
                                     "asperity conditions FILE.prm",
                                     "asperity fit MEASURED.csv LAW",
                                     "asperity calibrate LAW",
@@ -115,6 +116,15 @@ TEST_F(Commands, the_reference_of_shapes_is_the_one_in_the_documentation)
        "doc/shape_parameters.md";
 }
 
+TEST_F(Commands, the_reference_of_optimizations_is_the_one_in_the_documentation)
+{
+  std::ifstream     file(ASPERITY_SOURCE_DIR "/doc/optimization_parameters.md");
+  const std::string documented{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_EQ(run("parameters --optimization --markdown").output, documented)
+    << "renew it: build/asperity parameters --optimization --markdown > "
+       "doc/optimization_parameters.md";
+}
+
 TEST_F(Commands, an_empty_file_is_said_to_be_the_default_scene)
 {
   write("empty.prm", "# nothing\n");
@@ -173,8 +183,8 @@ TEST_F(Commands, wrong_command_lines_are_refused)
             0u);
   EXPECT_EQ(errors("parameters --html"),
             "Error: 'asperity parameters' takes no argument but "
-            "'--campaign', '--fluid-structure', '--experiment', '--shapes' and "
-            "'--markdown'.\n");
+            "'--campaign', '--fluid-structure', '--experiment', '--shapes', "
+            "'--optimization' and '--markdown'.\n");
   for (const std::string command : {"", "run ", "check ", "topography "})
     EXPECT_EQ(errors(command + "none.prm"),
               "Error: The parameter file 'none.prm' does not exist or cannot "

@@ -42,6 +42,9 @@ namespace asperity
     double sliding_distance   = 0.;
     double max_plastic_strain = 0., max_temperature = 0.;
 
+    /** At the end [Pa]; 0 in records of older programs. */
+    double max_contact_pressure = 0.;
+
     std::vector<DistanceMean> over_distance;
     std::string               lubricant;
     std::vector<std::string>  mechanisms; ///< of its mu
