@@ -54,7 +54,8 @@ namespace asperity
       const std::vector<double> best    = model.decoder().decode(code);
       const std::vector<double> of_best = difference(best, run.values),
                                 of_predicted =
-                                  difference(at.values, run.values);
+                                  difference(model.decoder().decode(at.code),
+                                             run.values);
       for (std::size_t f = 0; f < layout.n_fields(); ++f)
         {
           const double truth = std::sqrt(layout.squared_norm(run.values, f));
@@ -64,7 +65,7 @@ namespace asperity
           rows[f].predicted.add(
             over(std::sqrt(layout.squared_norm(of_predicted, f)), truth), n);
         }
-      const auto judged = model.judge(best, run.x);
+      const auto judged = model.judge(code, run.x);
       for (std::size_t i = 0; i < run.mu.size(); ++i)
         {
           FieldErrorRow &row   = rows[layout.n_fields() + i];

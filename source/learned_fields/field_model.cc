@@ -58,12 +58,23 @@ namespace asperity
   FieldModel::FieldModel(const FieldData                        &data,
                          std::shared_ptr<const FieldDecoder>     decoder,
                          const std::vector<std::vector<double>> &codes)
-    : layout_(data.layout)
-    , times(data.times)
-    , decoder_(std::move(decoder))
+    : FieldModel(data.layout, data.times, std::move(decoder))
   {
     train_laws(data, codes);
     set_limits(data, codes);
+  }
+
+
+
+  FieldModel::FieldModel(const FieldLayout                  &layout,
+                         const std::vector<FieldTime>       &times,
+                         std::shared_ptr<const FieldDecoder> decoder)
+    : layout_(layout)
+    , times(times)
+    , decoder_(std::move(decoder))
+  {
+    if (const FieldModes *modes = decoder_->modes())
+      forces_of_modes.emplace(layout_, *modes);
   }
 
 
@@ -126,7 +137,7 @@ namespace asperity
             largest.shear  = std::max(largest.shear, moment.shear_residual);
           }
         largest.codes   = std::max(largest.codes, at.trust.codes);
-        const auto best = judge(decoder_->decode(codes[r]), run.x);
+        const auto best = judge(codes[r], run.x);
         for (std::size_t i = 0; i < times.size(); ++i)
           errors.push_back(best[i].mu - run.mu[i]);
       }
@@ -152,35 +163,40 @@ namespace asperity
 
 
   std::vector<FieldMomentPrediction>
-  FieldModel::judge(const std::vector<double> &values,
+  FieldModel::judge(const std::vector<double> &code,
                     const std::vector<double> &x) const
   {
-    const FieldSnapshots              &about = layout_.about();
+    const std::vector<FieldForces>     at = forces(code);
+    const double                       L  = layout_.about().places.period;
     std::vector<FieldMomentPrediction> result;
     for (unsigned int i = 0; i < times.size(); ++i)
       {
-        const auto            fields = layout_.unpack(values, i);
-        const auto            force  = force_of_tractions(about, fields);
-        const double          L      = about.places.period;
-        const double          load   = load_at(i, x) * L;
+        const auto           &force     = at[i].traction;
+        const auto           &imbalance = at[i].imbalance;
+        const double          load      = load_at(i, x) * L;
         FieldMomentPrediction moment;
         moment.T_x = force[0];
         moment.T_y = force[1];
         moment.mu =
           friction_coefficient(force[0], force[1], times[i].direction);
-        moment.load_residual = std::abs(force[1] + load) / load;
-        if (about.is_quasi_static)
-          {
-            const auto imbalance = imbalance_of_stress(about, fields);
-            moment.stress_residual =
-              std::hypot(imbalance[0], imbalance[1]) / load;
-          }
+        moment.load_residual   = std::abs(force[1] + load) / load;
+        moment.stress_residual = std::hypot(imbalance[0], imbalance[1]) / load;
         moment.shear_residual =
           std::abs(friction_coefficient(force[0], -load, times[i].direction) -
                    mu_laws[i].mean(x.data()));
         result.push_back(moment);
       }
     return result;
+  }
+
+
+
+  std::vector<FieldForces>
+  FieldModel::forces(const std::vector<double> &code) const
+  {
+    if (forces_of_modes)
+      return forces_of_modes->combine(decoder_->coefficients(code));
+    return forces_of(layout_, decoder_->decode(code));
   }
 
 
@@ -195,8 +211,7 @@ namespace asperity
         result.code.push_back(at.mean);
         result.deviation.push_back(deviation_of(at));
       }
-    result.values  = decoder_->decode(result.code);
-    result.moments = judge(result.values, x);
+    result.moments = judge(result.code, x);
     // The components of the code err independently, and mu is all but linear
     // in each of them within a deviation.
     std::vector<double> variance(times.size(), limits_.mu * limits_.mu);
@@ -204,7 +219,7 @@ namespace asperity
       {
         std::vector<double> moved = result.code;
         moved[k] += result.deviation[k];
-        const auto shifted = judge(decoder_->decode(moved), x);
+        const auto shifted = judge(moved, x);
         for (std::size_t i = 0; i < times.size(); ++i)
           {
             const double change = shifted[i].mu - result.moments[i].mu;

@@ -104,15 +104,15 @@ namespace asperity
     };
     if (content.text("format", path) != format_name)
       fail("has the format " + quoted_text(content.text("format", path)));
-    FieldModel model;
-    model.layout_  = FieldLayout(FieldSnapshots::from_content(content, path));
-    model.decoder_ = load_decoder(content, model.layout_, path);
+    const FieldLayout      layout(FieldSnapshots::from_content(content, path));
+    std::vector<FieldTime> times;
     const Hdf5Table &rows = content.table("times", n_numbers_of_time, path);
     for (std::size_t i = 0; i < rows.n_rows; ++i)
       {
         const double *row = &rows.values[n_numbers_of_time * i];
-        model.times.push_back({row[0], row[1], row[2], row[3], row[4]});
+        times.push_back({row[0], row[1], row[2], row[3], row[4]});
       }
+    FieldModel model(layout, times, load_decoder(content, layout, path));
     model.spread = content.table("spread", 1, path).values;
     const std::vector<double> &limits =
       content.table("limits", n_limits, path).values;

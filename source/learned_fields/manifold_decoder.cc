@@ -27,7 +27,7 @@ namespace asperity
 
   ManifoldDecoder::ManifoldDecoder(const PodDecoder  &modes,
                                    const AutoDecoder &network)
-    : modes(modes)
+    : linear(modes)
     , network(network)
   {
     check("the training");
@@ -38,11 +38,11 @@ namespace asperity
   ManifoldDecoder::ManifoldDecoder(const Hdf5Content &content,
                                    const std::size_t  size,
                                    const std::string &origin)
-    : modes(content, size, origin)
+    : linear(content, size, origin)
     , network(load_network(content,
                            part,
                            latent_size(content, origin),
-                           modes.n_codes() - latent_size(content, origin),
+                           linear.n_codes() - latent_size(content, origin),
                            origin))
   {
     check(quoted_name(origin));
@@ -55,9 +55,9 @@ namespace asperity
   {
     const DecoderShape &shape = network.decoder().shape();
     if (shape.n_code != 0 ||
-        shape.n_position + shape.n_outputs != modes.n_codes())
+        shape.n_position + shape.n_outputs != linear.n_codes())
       throw InputError("The network of the manifold in " + origin +
-                       " does not fit its " + std::to_string(modes.n_codes()) +
+                       " does not fit its " + std::to_string(linear.n_codes()) +
                        " modes.");
   }
 
@@ -82,10 +82,7 @@ namespace asperity
   std::vector<double>
   ManifoldDecoder::decode(const std::vector<double> &code) const
   {
-    std::vector<double>       all  = code;
-    const std::vector<double> rest = network.evaluate({}, code);
-    all.insert(all.end(), rest.begin(), rest.end());
-    return modes.decode(all);
+    return linear.decode(coefficients(code));
   }
 
 
@@ -93,9 +90,28 @@ namespace asperity
   std::vector<double>
   ManifoldDecoder::encode(const std::vector<double> &values) const
   {
-    std::vector<double> code = modes.encode(values);
+    std::vector<double> code = linear.encode(values);
     code.resize(n_codes());
     return code;
+  }
+
+
+
+  const FieldModes *
+  ManifoldDecoder::modes() const
+  {
+    return linear.modes();
+  }
+
+
+
+  std::vector<double>
+  ManifoldDecoder::coefficients(const std::vector<double> &code) const
+  {
+    std::vector<double>       all  = code;
+    const std::vector<double> rest = network.evaluate({}, code);
+    all.insert(all.end(), rest.begin(), rest.end());
+    return all;
   }
 
 
@@ -103,7 +119,7 @@ namespace asperity
   void
   ManifoldDecoder::save(Hdf5Content &content) const
   {
-    modes.save(content);
+    linear.save(content);
     save_network(network, part, content);
     content.tables["manifold latent size"] = {1, 1, {1. * n_codes()}};
     content.texts["decoder"]               = decoder_name;

@@ -10,19 +10,18 @@ namespace asperity
   PodDecoder::PodDecoder(const OrthogonalDecomposition &decomposition,
                          const std::vector<double>     &weights,
                          const unsigned int             n_codes)
-    : n(n_codes)
-    , mean(decomposition.mean())
-    , weights(weights)
+    : weights(weights)
   {
     if (n_codes < 1 || n_codes > decomposition.n_modes())
       throw InputError("A latent size of " + std::to_string(n_codes) +
                        " is asked for, where the runs have " +
                        std::to_string(decomposition.n_modes()) +
                        " modes; expected 1 to as many.");
-    for (unsigned int k = 0; k < n; ++k)
-      modes.insert(modes.end(),
-                   decomposition.mode(k),
-                   decomposition.mode(k) + mean.size());
+    modes_.mean = decomposition.mean();
+    for (unsigned int k = 0; k < n_codes; ++k)
+      modes_.modes.insert(modes_.modes.end(),
+                          decomposition.mode(k),
+                          decomposition.mode(k) + modes_.mean.size());
   }
 
 
@@ -30,13 +29,12 @@ namespace asperity
   PodDecoder::PodDecoder(const Hdf5Content &content,
                          const std::size_t  size,
                          const std::string &origin)
-    : mean(content.table("pod mean", 1, origin).values)
+    : modes_{content.table("pod mean", 1, origin).values,
+             content.table("pod modes", size, origin).values}
     , weights(content.table("pod weights", 1, origin).values)
   {
-    const Hdf5Table &table = content.table("pod modes", size, origin);
-    n                      = table.n_rows;
-    modes                  = table.values;
-    if (n == 0 || mean.size() != size || weights.size() != size)
+    if (modes_.modes.empty() || modes_.mean.size() != size ||
+        weights.size() != size)
       throw InputError("The modes of " + origin +
                        " do not fit its places; expected the file as it was "
                        "written.");
@@ -55,7 +53,7 @@ namespace asperity
   unsigned int
   PodDecoder::n_codes() const
   {
-    return n;
+    return modes_.n_modes();
   }
 
 
@@ -63,14 +61,7 @@ namespace asperity
   std::vector<double>
   PodDecoder::decode(const std::vector<double> &code) const
   {
-    std::vector<double> values = mean;
-    for (unsigned int k = 0; k < n; ++k)
-      {
-        const double *mode = &modes[k * mean.size()];
-        for (std::size_t i = 0; i < mean.size(); ++i)
-          values[i] += code[k] * mode[i];
-      }
-    return values;
+    return modes_.combine(code);
   }
 
 
@@ -78,13 +69,30 @@ namespace asperity
   std::vector<double>
   PodDecoder::encode(const std::vector<double> &values) const
   {
-    std::vector<double> code(n, 0.);
-    for (unsigned int k = 0; k < n; ++k)
+    const std::vector<double> &mean = modes_.mean;
+    std::vector<double>        code(n_codes(), 0.);
+    for (unsigned int k = 0; k < code.size(); ++k)
       {
-        const double *mode = &modes[k * mean.size()];
+        const double *mode = modes_.mode(k);
         for (std::size_t i = 0; i < mean.size(); ++i)
           code[k] += weights[i] * (values[i] - mean[i]) * mode[i];
       }
+    return code;
+  }
+
+
+
+  const FieldModes *
+  PodDecoder::modes() const
+  {
+    return &modes_;
+  }
+
+
+
+  std::vector<double>
+  PodDecoder::coefficients(const std::vector<double> &code) const
+  {
     return code;
   }
 
@@ -94,8 +102,8 @@ namespace asperity
   PodDecoder::save(Hdf5Content &content) const
   {
     content.texts["decoder"]      = decoder_name;
-    content.tables["pod mean"]    = {mean.size(), 1, mean};
+    content.tables["pod mean"]    = {modes_.mean.size(), 1, modes_.mean};
     content.tables["pod weights"] = {weights.size(), 1, weights};
-    content.tables["pod modes"]   = {n, mean.size(), modes};
+    content.tables["pod modes"] = {n_codes(), modes_.mean.size(), modes_.modes};
   }
 } // namespace asperity

@@ -9,6 +9,7 @@ namespace asperity
 {
   struct Hdf5Content;
   class FieldLayout;
+  struct FieldModes;
 
   /**
    * Turns a latent code z, a few numbers, into the fields of a run at all
@@ -35,6 +36,20 @@ namespace asperity
     /** The code whose fields are nearest to these. */
     virtual std::vector<double>
     encode(const std::vector<double> &values) const = 0;
+
+    /** Of which the fields are a linear combination; none of a network. */
+    virtual const FieldModes *
+    modes() const
+    {
+      return nullptr;
+    }
+
+    /** Of the modes, to which decode() adds up; empty without modes. */
+    virtual std::vector<double>
+    coefficients(const std::vector<double> & /*code*/) const
+    {
+      return {};
+    }
 
     /** Adds tables and texts from which load_decoder() makes it again. */
     virtual void

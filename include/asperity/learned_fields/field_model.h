@@ -3,9 +3,11 @@
 
 #include <asperity/learned_fields/field_data.h>
 #include <asperity/learned_fields/field_decoder.h>
+#include <asperity/learned_fields/field_modes.h>
 #include <asperity/postprocess/field_picture.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,11 +52,11 @@ namespace asperity
     score() const;
   };
 
-  /** The fields of a contact zone that was not computed. */
+  /** A contact zone that was not computed: its code, which
+   *  FieldDecoder::decode() makes fields of, and what they say. */
   struct FieldPrediction
   {
     std::vector<double>                code, deviation; ///< of the code
-    std::vector<double>                values;          ///< of the FieldLayout
     std::vector<FieldMomentPrediction> moments;         ///< one a time
     FieldTrust                         trust;
   };
@@ -89,15 +91,19 @@ namespace asperity
                std::shared_ptr<const FieldDecoder>     decoder,
                const std::vector<std::vector<double>> &codes);
 
-    /** @param x inputs, SI */
+    /** Without decoding fields if the decoder has modes.
+     *  @param x inputs, SI */
     FieldPrediction
     predict(const std::vector<double> &x) const;
 
-    /** What the fields of a vector say of mu and balance at x, without the
+    /** What the fields of a code say of mu and balance at x, without the
      *  deviation of mu. */
     std::vector<FieldMomentPrediction>
-    judge(const std::vector<double> &values,
-          const std::vector<double> &x) const;
+    judge(const std::vector<double> &code, const std::vector<double> &x) const;
+
+    /** Of the fields of a code, as forces_of() would have it. */
+    std::vector<FieldForces>
+    forces(const std::vector<double> &code) const;
 
     const FieldLayout &
     layout() const;
@@ -125,7 +131,10 @@ namespace asperity
     load(const std::string &path);
 
   private:
-    FieldModel() = default;
+    /** Without laws and limits. */
+    FieldModel(const FieldLayout                  &layout,
+               const std::vector<FieldTime>       &times,
+               std::shared_ptr<const FieldDecoder> decoder);
 
     /** Codes of the runs to learn from become laws. */
     void
@@ -147,6 +156,7 @@ namespace asperity
     FieldLayout                         layout_;
     std::vector<FieldTime>              times;
     std::shared_ptr<const FieldDecoder> decoder_;
+    std::optional<ForcesOfModes>        forces_of_modes;
     std::vector<FrictionLaw>            code_laws;
     std::vector<FrictionLaw>            mu_laws; ///< one a time
     std::vector<double>                 spread;  ///< of each code over the runs

@@ -47,6 +47,13 @@ namespace asperity
     std::vector<double>
     encode(const std::vector<double> &values) const override;
 
+    const FieldModes *
+    modes() const override;
+
+    /** The code, and what the network says of it. */
+    std::vector<double>
+    coefficients(const std::vector<double> &code) const override;
+
     void
     save(Hdf5Content &content) const override;
 
@@ -54,7 +61,7 @@ namespace asperity
     void
     check(const std::string &origin) const;
 
-    PodDecoder  modes;
+    PodDecoder  linear;
     AutoDecoder network;
   };
 } // namespace asperity

@@ -2,6 +2,7 @@
 #define asperity_learned_fields_pod_decoder_h
 
 #include <asperity/learned_fields/field_decoder.h>
+#include <asperity/learned_fields/field_modes.h>
 #include <asperity/learning/orthogonal_decomposition.h>
 
 namespace asperity
@@ -41,12 +42,19 @@ namespace asperity
     std::vector<double>
     encode(const std::vector<double> &values) const override;
 
+    const FieldModes *
+    modes() const override;
+
+    /** The code. */
+    std::vector<double>
+    coefficients(const std::vector<double> &code) const override;
+
     void
     save(Hdf5Content &content) const override;
 
   private:
-    unsigned int        n;
-    std::vector<double> mean, modes, weights; ///< modes one after the other
+    FieldModes          modes_;
+    std::vector<double> weights;
   };
 } // namespace asperity
 
