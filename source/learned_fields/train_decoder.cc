@@ -137,33 +137,57 @@ namespace asperity
 
 
 
+  std::shared_ptr<const ManifoldDecoder>
+  train_manifold(const PodDecoder                       &modes,
+                 const std::vector<std::vector<double>> &coefficients,
+                 const unsigned int                      n_codes,
+                 const unsigned int                      n_epochs)
+  {
+    FieldSample sample;
+    sample.name = "coefficients";
+    for (const std::vector<double> &c : coefficients)
+      {
+        const auto middle = c.begin() + n_codes;
+        sample.positions.insert(sample.positions.end(), c.begin(), middle);
+        sample.values.insert(sample.values.end(), middle, c.end());
+      }
+    DecoderShape shape;
+    shape.n_code     = 0;
+    shape.n_position = n_codes;
+    shape.n_outputs  = modes.n_codes() - n_codes;
+    shape.n_layers   = 2;
+    shape.width      = 32;
+    shape.skip_layer = 0;
+    shape.activation = Activation::softplus;
+    shape.output     = Activation::identity;
+    TrainingOptions training;
+    training.n_epochs          = n_epochs;
+    training.samples_per_batch = 1;
+    training.points_per_sample = 128;
+    training.n_parts           = 1;
+    training.loss.kind         = Loss::Kind::squared;
+    training.weights = {5e-3, 0.5, std::max(1u, training.n_epochs / 8)};
+    // Modes count by their variance, not each alike.
+    Scaling scaling = scaling_of_values({sample}, shape.n_outputs);
+    std::fill(scaling.scale.begin(),
+              scaling.scale.end(),
+              *std::max_element(scaling.scale.begin(), scaling.scale.end()));
+    AutoDecoderTraining trainer(shape,
+                                training,
+                                {sample},
+                                scaling_of_positions({sample},
+                                                     shape.n_position),
+                                scaling);
+    ProgressLine        progress(std::cout);
+    trainer.run("", progress);
+    progress.note("");
+    return std::make_shared<ManifoldDecoder>(modes, trainer.model());
+  }
+
+
+
   namespace
   {
-    /** Of the runs to learn from, the first coefficients as positions and the
-     *  others as values. */
-    FieldSample
-    coefficients_of(const FieldData   &data,
-                    const PodDecoder  &modes,
-                    const unsigned int n_codes)
-    {
-      FieldSample sample;
-      sample.name = "coefficients";
-      for (const FieldRun &run : data.runs)
-        if (!run.held)
-          {
-            const std::vector<double> code   = modes.encode(run.values);
-            const auto                middle = code.begin() + n_codes;
-            sample.positions.insert(sample.positions.end(),
-                                    code.begin(),
-                                    middle);
-            sample.values.insert(sample.values.end(), middle, code.end());
-          }
-      return sample;
-    }
-
-
-
-    /** The network from the first coefficients of the runs to the others. */
     std::shared_ptr<const FieldDecoder>
     train_manifold(const FieldData               &data,
                    const OrthogonalDecomposition &decomposition,
@@ -178,39 +202,15 @@ namespace asperity
                          " leaves no modes to the network of '--decoder "
                          "manifold'; less than " +
                          std::to_string(n_modes) + " is expected.");
-      const PodDecoder  modes(decomposition, weights, n_modes);
-      const FieldSample sample = coefficients_of(data, modes, options.n_codes);
-      DecoderShape      shape;
-      shape.n_code     = 0;
-      shape.n_position = options.n_codes;
-      shape.n_outputs  = n_modes - options.n_codes;
-      shape.n_layers   = 2;
-      shape.width      = 32;
-      shape.skip_layer = 0;
-      shape.activation = Activation::softplus;
-      shape.output     = Activation::identity;
-      TrainingOptions training;
-      training.n_epochs          = 20 * options.n_epochs;
-      training.samples_per_batch = 1;
-      training.points_per_sample = 128;
-      training.n_parts           = 1;
-      training.loss.kind         = Loss::Kind::squared;
-      training.weights = {5e-3, 0.5, std::max(1u, training.n_epochs / 8)};
-      // Modes count by their variance, not each alike.
-      Scaling scaling = scaling_of_values({sample}, shape.n_outputs);
-      std::fill(scaling.scale.begin(),
-                scaling.scale.end(),
-                *std::max_element(scaling.scale.begin(), scaling.scale.end()));
-      AutoDecoderTraining trainer(shape,
-                                  training,
-                                  {sample},
-                                  scaling_of_positions({sample},
-                                                       shape.n_position),
-                                  scaling);
-      ProgressLine        progress(std::cout);
-      trainer.run("", progress);
-      progress.note("");
-      return std::make_shared<ManifoldDecoder>(modes, trainer.model());
+      const PodDecoder                 modes(decomposition, weights, n_modes);
+      std::vector<std::vector<double>> coefficients;
+      for (const FieldRun &run : data.runs)
+        if (!run.held)
+          coefficients.push_back(modes.encode(run.values));
+      return train_manifold(modes,
+                            coefficients,
+                            options.n_codes,
+                            20 * options.n_epochs);
     }
   } // namespace
 

@@ -12,7 +12,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "fluid/flow_examples.h"
+#include "flow/flow_examples.h"
 
 using namespace asperity;
 

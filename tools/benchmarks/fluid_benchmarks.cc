@@ -12,7 +12,7 @@
 
 #include <deal.II/base/timer.h>
 
-#include <fluid/channel_examples.h>
+#include <flow/channel_examples.h>
 
 #include <string>
 

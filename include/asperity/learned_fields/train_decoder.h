@@ -3,6 +3,7 @@
 
 #include <asperity/learned_fields/field_data.h>
 #include <asperity/learned_fields/field_decoder.h>
+#include <asperity/learned_fields/manifold_decoder.h>
 
 #include <memory>
 #include <string>
@@ -40,6 +41,15 @@ namespace asperity
    *  @throws InputError if the latent size is too large for them */
   TrainedDecoder
   train_decoder(const FieldData &data, const DecoderOptions &options);
+
+  /** The network of a ManifoldDecoder.
+   *  @param coefficients of the modes, of the fields to learn from
+   *  @param n_codes less than there are modes */
+  std::shared_ptr<const ManifoldDecoder>
+  train_manifold(const PodDecoder                       &modes,
+                 const std::vector<std::vector<double>> &coefficients,
+                 const unsigned int                      n_codes,
+                 const unsigned int                      n_epochs);
 } // namespace asperity
 
 #endif
