@@ -4,6 +4,7 @@
 #include <asperity/contact_zone/friction_result.h>
 #include <asperity/isogeometric/element_view.h>
 
+#include <cmath>
 #include <limits>
 
 namespace asperity
@@ -95,6 +96,18 @@ namespace asperity
             }
         }
       return normals;
+    }
+
+    /** With 0 for what is nothing beside the size: a field counts as much as
+     *  any other in what is learnt, and rounding errors are none. */
+    std::vector<double>
+    without_rounding(std::vector<double> values, const double size)
+    {
+      constexpr double rounding = 1e-12;
+      for (double &value : values)
+        if (std::abs(value) <= rounding * size)
+          value = 0.;
+      return values;
     }
 
     std::vector<FieldKind>
@@ -235,7 +248,8 @@ namespace asperity
         set(field_names::further_force, {0., 0.}, snapshot);
         const auto force = force_of_tractions(fields_, snapshot.values);
         set(field_names::further_force,
-            {row.T_x - force[0], row.T_y - force[1]},
+            without_rounding({row.T_x - force[0], row.T_y - force[1]},
+                             std::hypot(row.T_x, row.T_y)),
             snapshot);
       }
     return snapshot;
