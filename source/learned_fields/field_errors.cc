@@ -19,11 +19,26 @@ namespace asperity
       return a;
     }
 
-    /** 0 where both vanish. */
+    /** 0 where all vanishes. */
     double
     over(const double error, const double truth)
     {
-      return error == 0. ? 0. : error / truth;
+      return truth == 0. ? 0. : error / truth;
+    }
+
+    /** Of each field, the root of the mean square of its norms over the
+     *  held-out runs. */
+    std::vector<double>
+    sizes_of(const FieldData &data)
+    {
+      std::vector<double> sizes(data.layout.n_fields(), 0.);
+      for (const FieldRun &run : data.runs)
+        for (std::size_t f = 0; f < sizes.size() && run.held; ++f)
+          sizes[f] += data.layout.squared_norm(run.values, f) /
+                      static_cast<double>(data.n_runs(true));
+      for (double &size : sizes)
+        size = std::sqrt(size);
+      return sizes;
     }
 
     std::string
@@ -42,11 +57,13 @@ namespace asperity
       return text;
     }
 
+    /** @param sizes of the fields, for those that vanish in the run */
     void
     add_run(const FieldModel           &model,
             const FieldRun             &run,
             const std::vector<double>  &code,
             const FieldPrediction      &at,
+            const std::vector<double>  &sizes,
             const std::size_t           n,
             std::vector<FieldErrorRow> &rows)
     {
@@ -58,7 +75,10 @@ namespace asperity
                                              run.values);
       for (std::size_t f = 0; f < layout.n_fields(); ++f)
         {
-          const double truth = std::sqrt(layout.squared_norm(run.values, f));
+          constexpr double nothing = 1e-2;
+          double truth = std::sqrt(layout.squared_norm(run.values, f));
+          if (truth < nothing * sizes[f])
+            truth = sizes[f];
           rows[f].best.add(over(std::sqrt(layout.squared_norm(of_best, f)),
                                 truth),
                            n);
@@ -100,14 +120,15 @@ namespace asperity
     for (const double share : layout.about().shares)
       result.rows.push_back(
         {"mu at " + format_quantity(share, "1") + " of the time", {}, {}});
-    const std::size_t n = data.n_runs(true);
+    const std::size_t         n     = data.n_runs(true);
+    const std::vector<double> sizes = sizes_of(data);
     for (std::size_t r = 0; r < data.runs.size(); ++r)
       {
         const FieldRun &run = data.runs[r];
         if (!run.held)
           continue;
         const FieldPrediction at = model.predict(run.x);
-        add_run(model, run, codes[r], at, n, result.rows);
+        add_run(model, run, codes[r], at, sizes, n, result.rows);
         for (std::size_t i = 0; i < run.mu.size(); ++i)
           if (std::abs(at.moments[i].mu - run.mu[i]) <=
               1.96 * at.moments[i].mu_deviation)

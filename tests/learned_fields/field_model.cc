@@ -4,6 +4,7 @@
 #include <asperity/learned_fields/train_decoder.h>
 #include <asperity/postprocess/hdf5_file.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -212,6 +213,28 @@ TEST(FieldModel, refuses_files_that_are_none_of_its_own)
   content.write(path);
   EXPECT_NE(message().find("has tables that do not fit each other"),
             std::string::npos);
+}
+
+// A pressure p1 that is not there, where the held-out runs have p1 and 0 at one
+// temperature each and p2 at two: it errs by p1 over the root of the mean
+// square.
+TEST(FieldErrors, of_what_vanishes_are_over_what_other_runs_have)
+{
+  FieldData    data   = family();
+  const double p1     = p_low + 0.22 * (p_high - p_low),
+               p2     = p_low + 0.61 * (p_high - p_low);
+  const std::size_t f = data.layout.about().find(field_names::contact_pressure);
+  FieldRun         &run = data.runs[25];
+  ASSERT_TRUE(run.held);
+  ASSERT_NEAR(run.x[0], p1, 1.);
+  for (unsigned int time = 0; time < 2; ++time)
+    std::fill_n(run.values.begin() + data.layout.offset(time, f),
+                data.layout.length(f),
+                0.);
+  const FieldErrors errors = errors_on(model_of_family(), data);
+  EXPECT_NEAR(errors.rows[f].predicted.largest,
+              p1 / std::sqrt((p1 * p1 + 2. * p2 * p2) / 4.),
+              1e-2);
 }
 
 TEST(FieldErrors, are_a_table_with_a_row_for_each_quantity)
