@@ -113,19 +113,20 @@ namespace asperity
                                                        shape.n_position),
                                   scaling_of_values(samples, shape.n_outputs));
       ProgressLine        progress(std::cout);
+      progress.note(is_edge ? "Network of the edge" : "Network of the chip");
       trainer.run("", progress);
-      progress.note("");
       return trainer.model();
     }
 
     TrainedDecoder
     train_networks(const FieldData &data, const DecoderOptions &options)
     {
-      const unsigned int n_edge  = options.n_codes / 2;
-      const auto         decoder = std::make_shared<NetworkDecoder>(
-        data.layout,
-        train_network(data, false, options.n_codes - n_edge, options),
-        train_network(data, true, n_edge, options));
+      const unsigned int n_edge = options.n_codes / 2;
+      const AutoDecoder  chip =
+        train_network(data, false, options.n_codes - n_edge, options);
+      const AutoDecoder edge = train_network(data, true, n_edge, options);
+      const auto        decoder =
+        std::make_shared<NetworkDecoder>(data.layout, chip, edge);
       TrainedDecoder result{decoder, {}, {}};
       std::size_t    n_learnt = 0;
       for (const FieldRun &run : data.runs)

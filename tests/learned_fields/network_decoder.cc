@@ -148,3 +148,55 @@ TEST(TrainDecoder, refuses_decoders_that_there_are_not)
   options.n_codes = 1;
   EXPECT_NE(message().find("at least 2 is expected"), std::string::npos);
 }
+
+namespace
+{
+  /** Squared error of the contact pressure of the runs that are held out, with
+   *  their best codes, over that of the mean of the others. */
+  double
+  error_of_pressure(const FieldData &data, const TrainedDecoder &trained)
+  {
+    const FieldLayout  &layout = data.layout;
+    const std::size_t   f = layout.about().find(field_names::contact_pressure);
+    std::vector<double> mean(layout.size(), 0.);
+    for (const FieldRun &run : data.runs)
+      for (std::size_t i = 0; i < mean.size() && !run.held; ++i)
+        mean[i] += run.values[i] / data.n_runs(false);
+    const auto distance = [&](std::vector<double> a, const FieldRun &run) {
+      for (std::size_t i = 0; i < a.size(); ++i)
+        a[i] -= run.values[i];
+      return layout.squared_norm(a, f);
+    };
+    double of_decoder = 0., of_mean = 0.;
+    for (std::size_t r = 0; r < data.runs.size(); ++r)
+      if (const FieldRun &run = data.runs[r]; run.held)
+        {
+          of_decoder +=
+            distance(trained.decoder->decode(trained.codes[r]), run);
+          of_mean += distance(mean, run);
+        }
+    return of_decoder / of_mean;
+  }
+} // namespace
+
+TEST(TrainDecoder, learns_networks_the_better_the_longer)
+{
+  const std::string folder = test_folder();
+  write_family(folder);
+  const FieldData data = read_fields(folder);
+  DecoderOptions  options;
+  options.name    = "network";
+  options.n_codes = 4;
+  std::vector<double> errors;
+  for (const unsigned int n_epochs : {3, 30})
+    {
+      options.n_epochs             = n_epochs;
+      const TrainedDecoder trained = train_decoder(data, options);
+      EXPECT_EQ(trained.decoder->n_codes(), 4u);
+      EXPECT_EQ(trained.codes.size(), data.runs.size());
+      EXPECT_TRUE(trained.singular_values.empty());
+      errors.push_back(error_of_pressure(data, trained));
+    }
+  EXPECT_LT(errors[1], 0.1);
+  EXPECT_LT(errors[1], 0.5 * errors[0]);
+}
