@@ -7,6 +7,7 @@
 #include <asperity/law_export/commands.h>
 #include <asperity/learned_fields/commands.h>
 #include <asperity/learned_fields/field_errors.h>
+#include <asperity/learned_fields/pod_decoder.h>
 #include <asperity/learned_fields/train_decoder.h>
 
 #include <deal.II/base/timer.h>
@@ -53,6 +54,21 @@ namespace asperity
                        format_quantity(most, "1") + " is expected.");
     }
 
+    /** Of 1 to most. */
+    unsigned int
+    whole_number_of(const CommandOptions &options,
+                    const std::string    &option,
+                    const unsigned int    value,
+                    const double          most)
+    {
+      const double number = number_of(options, option, value, 1., most);
+      if (number != std::floor(number))
+        throw InputError("The option '" + option + "' is " +
+                         quoted_text(options.values.at(option)) +
+                         "; a whole number is expected.");
+      return static_cast<unsigned int>(number);
+    }
+
     ReduceOptions
     parse(const std::vector<std::string> &arguments)
     {
@@ -68,19 +84,18 @@ namespace asperity
       if (const auto found = options.values.find("--model");
           found != options.values.end())
         result.model = found->second;
-      const double n =
-        number_of(options, "--latent", result.decoder.n_codes, 1., 100.);
-      if (n != std::floor(n))
-        throw InputError("The option '--latent' is " +
-                         quoted_text(options.values.at("--latent")) +
-                         "; a whole number is expected.");
-      result.decoder.n_codes = static_cast<unsigned int>(n);
+      result.decoder.n_codes =
+        whole_number_of(options, "--latent", result.decoder.n_codes, 100.);
       if (const auto found = options.values.find("--decoder");
           found != options.values.end())
         result.decoder.name = found->second;
-      result.decoder.n_epochs = static_cast<unsigned int>(
-        number_of(options, "--epochs", result.decoder.n_epochs, 1., 1e5));
+      result.decoder.n_epochs =
+        whole_number_of(options, "--epochs", result.decoder.n_epochs, 1e5);
       check_decoder(result.decoder);
+      if (options.values.count("--epochs") != 0 &&
+          result.decoder.name == PodDecoder::decoder_name)
+        throw InputError("The option '--epochs' is given with '--decoder pod', "
+                         "which trains no network; expected without.");
       if (options.values.count("--held-out") != 0)
         result.held_out = number_of(options, "--held-out", 0.2, 0.01, 0.9);
       return result;

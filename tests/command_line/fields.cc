@@ -191,6 +191,15 @@ TEST_F(Fields, say_what_is_wrong_with_a_command)
   EXPECT_EQ(errors("reduce here --latent 2.5"),
             "Error: The option '--latent' is '2.5'; a whole number is "
             "expected.\n");
+  EXPECT_EQ(errors("reduce here --epochs 2.5"),
+            "Error: The option '--epochs' is '2.5'; a whole number is "
+            "expected.\n");
+  EXPECT_EQ(errors("reduce here --epochs 0"),
+            "Error: The option '--epochs' is '0'; a number of 1 to 100000 is "
+            "expected.\n");
+  EXPECT_EQ(errors("reduce here --decoder pod --epochs 9"),
+            "Error: The option '--epochs' is given with '--decoder pod', which "
+            "trains no network; expected without.\n");
   EXPECT_EQ(
     errors("reduce here --decoder magic"),
     "Error: The option '--decoder' is 'magic'; 'pod', 'manifold' or 'network' is "
