@@ -219,10 +219,13 @@ namespace asperity
       {
         std::vector<double> moved = result.code;
         moved[k] += result.deviation[k];
-        const auto shifted = judge(moved, x);
+        const std::vector<FieldForces> shifted = forces(moved);
         for (std::size_t i = 0; i < times.size(); ++i)
           {
-            const double change = shifted[i].mu - result.moments[i].mu;
+            const auto  &T = shifted[i].traction;
+            const double change =
+              friction_coefficient(T[0], T[1], times[i].direction) -
+              result.moments[i].mu;
             variance[i] += change * change;
           }
       }
