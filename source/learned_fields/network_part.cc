@@ -163,6 +163,20 @@ namespace asperity
 
 
 
+  Scaling
+  NetworkPart::position_scaling(const std::vector<FieldSample> &samples) const
+  {
+    Scaling result = scaling_of_positions(samples, n_coordinates());
+    for (unsigned int c = 0; c < 2 * n_waves; ++c)
+      {
+        result.centre[c] = 0.;
+        result.scale[c]  = 1.;
+      }
+    return result;
+  }
+
+
+
   void
   NetworkPart::fill(const AutoDecoder        &network,
                     const std::vector<float> &code,

@@ -109,8 +109,7 @@ namespace asperity
       AutoDecoderTraining trainer(shape,
                                   training,
                                   samples,
-                                  scaling_of_positions(samples,
-                                                       shape.n_position),
+                                  part.position_scaling(samples),
                                   scaling_of_values(samples, shape.n_outputs));
       ProgressLine        progress(std::cout);
       progress.note(is_edge ? "Network of the edge" : "Network of the chip");

@@ -38,6 +38,11 @@ namespace asperity
     FieldSample
     sample(const std::string &name, const std::vector<double> &values) const;
 
+    /** Of positions to [-1, 1], in which waves are by themselves: at their
+     *  zeros they differ by rounding, which is not to be scaled. */
+    Scaling
+    position_scaling(const std::vector<FieldSample> &samples) const;
+
     /** Writes what a network says into the vector of a run. */
     void
     fill(const AutoDecoder        &network,
