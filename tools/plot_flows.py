@@ -101,7 +101,7 @@ def main():
     draw(axes, columns)
     figure.tight_layout()
     path = os.path.join(options.to or options.folder, "learned_flows.png")
-    figure.savefig(path, dpi=80)
+    figure.savefig(path, dpi=65)
     print(path)
 
 
