@@ -54,9 +54,11 @@ TEST(NetworkPart, leaves_waves_as_they_are)
   ASSERT_EQ(scaling.scale.size(), n);
   for (std::size_t i = 0; i < nodes.size(); ++i)
     if (const unsigned int c = i % n; c < n - 3) // then time, height and depth
-      EXPECT_NEAR((nodes[i] - scaling.centre[c]) / scaling.scale[c],
-                  nodes[i],
-                  1e-15);
+      {
+        EXPECT_NEAR((nodes[i] - scaling.centre[c]) / scaling.scale[c],
+                    nodes[i],
+                    1e-15);
+      }
   // The share of the time, 0.5 and 1, is scaled to -1 and 1.
   EXPECT_NEAR(scaling.centre[n - 3], 0.75, 1e-15);
   EXPECT_NEAR(scaling.scale[n - 3], 0.25, 1e-15);
