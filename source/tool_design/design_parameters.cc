@@ -33,8 +33,7 @@ namespace asperity
                       base_scene,
                       "The scene whose tool is to be improved: each evaluation "
                       "is a run of it with another profile of the same period "
-                      "and root mean square height.",
-                      Need::mandatory);
+                      "and root mean square height.");
       parameters.file("Check scene",
                       check_scene,
                       "A scene with a finer mesh and smaller steps, in which "
@@ -55,6 +54,15 @@ namespace asperity
                     "Of each result as a multiple of what the base scene has; "
                     "negative for what is to become large. The objective is "
                     "their sum over that of the absolute weights.");
+    parameters.file("Friction law",
+                    friction_law,
+                    "A trained law whose least value is searched over its "
+                    "inputs, in place of a tool by runs; then there is no base "
+                    "scene, and textures and networks are not used.");
+    parameters.text("Fixed inputs",
+                    fixed_inputs,
+                    "Inputs of that law that are not varied, separated by "
+                    "commas: T = 25 degC, Lubrication/Wetting = 0.5.");
   }
 
 
@@ -233,6 +241,16 @@ namespace asperity
   void
   ToolDesignParameters::check(const ParameterDeclarator &parameters)
   {
+    if (base_scene.empty() == friction_law.empty())
+      throw InputError(parameters.where("Scene/Base scene") + ": expected " +
+                       (base_scene.empty() ?
+                          "a scene, or a law at Objective/Friction law." :
+                          "either a scene or a law at Objective/Friction law, "
+                          "not both."));
+    if (!friction_law.empty() && results != "mu")
+      throw InputError(parameters.where("Objective/Results") + ": found " +
+                       quoted_text(results) +
+                       "; expected mu, which is what a friction law says.");
     check_goals(parameters);
     by_direct                         = methods != Methods::genetic;
     genetically                       = methods != Methods::direct;

@@ -1,5 +1,7 @@
 #include <asperity/base/errors.h>
+#include <asperity/base/quantity.h>
 #include <asperity/base/random_numbers.h>
+#include <asperity/base/text.h>
 #include <asperity/contact_zone/scene_parameters.h>
 #include <asperity/contact_zone/surface.h>
 #include <asperity/tool_design/texture_family.h>

@@ -38,6 +38,10 @@ namespace asperity
     std::string base_scene;
     std::string check_scene; ///< or empty
 
+    /** A law that is searched instead of a tool, or empty; and its inputs that
+     *  are not varied, "T = 25 degC, Wetting = 0.5". */
+    std::string friction_law, fixed_inputs;
+
     std::string         results = "mu";
     std::vector<double> weights = {1.};
 
