@@ -51,7 +51,7 @@ namespace asperity
   Harmonics
   harmonics_of(const std::vector<double> &heights, const unsigned int n);
 
-  /** The largest share of a Gaussian filter's waves, ISO 16610-21: 1/2 at the
+  /** What a Gaussian filter (ISO 16610-21) leaves of a wave: half of it at the
    *  nesting index. @param wavelength over the nesting index */
   double
   gaussian_transmission(const double wavelength);
