@@ -1,6 +1,7 @@
 #include <asperity/base/errors.h>
 #include <asperity/base/parameters.h>
 #include <asperity/learned_shapes/shape_parameters.h>
+#include <asperity/learning/decoder_parameters.h>
 
 namespace asperity
 {
@@ -76,18 +77,7 @@ namespace asperity
   ShapeParameters::declare_network(ParameterDeclarator &parameters)
   {
     const auto section = parameters.subsection("Network");
-    parameters.integer("Latent dimension",
-                       network.n_code,
-                       Range::between(1, 256),
-                       "Numbers that a shape is described by.");
-    parameters.integer("Layers",
-                       network.n_layers,
-                       Range::between(1, 64),
-                       "Hidden layers.");
-    parameters.integer("Width",
-                       network.width,
-                       Range::between(1, 1024),
-                       "Neurons of a hidden layer.");
+    declare_size(parameters, network, "a shape");
     parameters.integer("Fed again at",
                        network.skip_layer,
                        Range::between(0, 64),

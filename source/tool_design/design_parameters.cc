@@ -2,6 +2,7 @@
 #include <asperity/base/parameters.h>
 #include <asperity/base/text.h>
 #include <asperity/campaign/run_record.h>
+#include <asperity/learning/decoder_parameters.h>
 #include <asperity/tool_design/design_parameters.h>
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace asperity
        {"mu_end", &RunRecord::mu_end},
        {"spread", &RunRecord::spread},
        {"contact_fraction", &RunRecord::contact_fraction},
-       {"contact_pressure", &RunRecord::max_contact_pressure},
+       {"max_contact_pressure", &RunRecord::max_contact_pressure},
        {"oil_pressure", &RunRecord::oil_pressure},
        {"oil_load_share", &RunRecord::oil_load_share},
        {"max_plastic_strain", &RunRecord::max_plastic_strain},
@@ -45,7 +46,7 @@ namespace asperity
                     results,
                     "Results of a run that are to become small, separated by "
                     "commas: mu, mu_end, spread, contact_fraction, "
-                    "contact_pressure (the largest at the end), oil_pressure, "
+                    "max_contact_pressure (at the end), oil_pressure, "
                     "oil_load_share, max_plastic_strain, max_temperature.");
     parameters.list("Weights",
                     weights,
@@ -161,18 +162,7 @@ namespace asperity
   ToolDesignParameters::declare_network(ParameterDeclarator &parameters)
   {
     const auto section = parameters.subsection("Network");
-    parameters.integer("Latent dimension",
-                       training.network.n_code,
-                       Range::between(1, 256),
-                       "Numbers that describe a texture, also of modes.");
-    parameters.integer("Layers",
-                       training.network.n_layers,
-                       Range::between(1, 64),
-                       "Hidden layers.");
-    parameters.integer("Width",
-                       training.network.width,
-                       Range::between(1, 1024),
-                       "Neurons of a hidden layer.");
+    declare_size(parameters, training.network, "a texture, also by modes");
     parameters.integer("Epochs",
                        training.options.n_epochs,
                        Range::between(1, 1000000),

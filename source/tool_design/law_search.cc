@@ -1,4 +1,5 @@
 #include <asperity/base/errors.h>
+#include <asperity/base/mechanisms.h>
 #include <asperity/base/quantity.h>
 #include <asperity/base/text.h>
 #include <asperity/law_export/law_options.h>
@@ -137,6 +138,7 @@ namespace asperity
             << least.search.n_failed << " not trusted); " << least.search.end
             << "\n";
       }
-    out << "All answers are in " << parameters.directory << "\n";
+    out << mechanisms_sentence(law.description().mechanisms)
+        << "\nAll answers are in " << parameters.directory << "\n";
   }
 } // namespace asperity

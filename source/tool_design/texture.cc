@@ -85,24 +85,4 @@ namespace asperity
       h /= rms;
     return heights;
   }
-
-
-
-  TextureShape
-  shape_of(const std::vector<double> &heights)
-  {
-    const std::size_t n = heights.size();
-    TextureShape      shape;
-    double            slopes = 0.;
-    for (std::size_t i = 0; i < n; ++i)
-      {
-        const double h = heights[i];
-        shape.skewness += h * h * h / n;
-        shape.kurtosis += h * h * h * h / n;
-        const double slope = n * (heights[(i + 1) % n] - h);
-        slopes += slope * slope / n;
-      }
-    shape.rms_slope = std::sqrt(slopes);
-    return shape;
-  }
 } // namespace asperity

@@ -128,6 +128,19 @@ namespace asperity
 
 
 
+  std::string
+  ToolSearch::description(const std::string &method) const
+  {
+    std::string goals;
+    for (const DesignGoal &goal : parameters.goals())
+      goals += ", " + format_number(goal.weight) + " " + goal.name;
+    return method + ", " + space->description() + ", " +
+           std::to_string(parameters.family.n_waves()) + " waves" + goals +
+           ", " + parameters.base_scene;
+  }
+
+
+
   FoundTool
   ToolSearch::search(const std::string     &method,
                      const DesignObjective &objective) const
@@ -137,8 +150,7 @@ namespace asperity
                     *space,
                     objective,
                     parameters.directory + "/" + method,
-                    method + ", " + space->description() + ", " +
-                      parameters.base_scene);
+                    description(method));
     const bool         is_direct = method == "DIRECT";
     const unsigned int most = is_direct ? parameters.direct.max_evaluations :
                                           parameters.genetic.max_evaluations;

@@ -1,8 +1,10 @@
 #include <asperity/base/atomic_file.h>
+#include <asperity/base/mechanisms.h>
 #include <asperity/base/quantity.h>
 #include <asperity/base/version.h>
 #include <asperity/postprocess/summary.h>
 #include <asperity/tool_design/tool_search.h>
+#include <asperity/topography/roughness.h>
 
 #include <nlohmann/json.hpp>
 
@@ -10,6 +12,7 @@
 #include <filesystem>
 #include <iomanip>
 #include <ostream>
+#include <set>
 
 namespace asperity
 {
@@ -73,20 +76,25 @@ namespace asperity
                      {"max_contact_pressure", run.max_contact_pressure},
                      {"oil_pressure", run.oil_pressure},
                      {"oil_load_share", run.oil_load_share},
-                     {"max_plastic_strain", run.max_plastic_strain}};
+                     {"max_plastic_strain", run.max_plastic_strain},
+                     {"mechanisms", run.mechanisms},
+                     {"warnings", run.warnings}};
       if (!run.no_result.empty())
         result["no_result"] = run.no_result;
       return result;
     }
 
     json
-    shape_json(const ToolExchange &tool, const std::vector<double> &heights)
+    shape_json(const ToolExchange &tool, std::vector<double> heights)
     {
-      const TextureShape shape = shape_of(heights);
-      return {{"Rq", tool.rms()},
-              {"Rsk", shape.skewness},
-              {"Rku", shape.kurtosis},
-              {"Rdq", shape.rms_slope * tool.rms() / tool.period()}};
+      for (double &h : heights)
+        h *= tool.rms();
+      const ProfileRoughness roughness =
+        profile_roughness(heights, tool.period() / heights.size());
+      return {{"Rq", roughness.Rq},
+              {"Rsk", roughness.Rsk},
+              {"Rku", roughness.Rku},
+              {"Rdq", roughness.Rdq}};
     }
 
 
@@ -222,6 +230,13 @@ namespace asperity
           << " of the base scene's, after " << found.search.n_to_best << " of "
           << found.search.n_evaluations << " runs (" << found.search.n_failed
           << " failed); " << found.search.end << "\n";
+    out << mechanisms_sentence(results.base.mechanisms) << "\n";
+    std::set<std::string> warnings(results.base.warnings.begin(),
+                                   results.base.warnings.end());
+    for (const FoundTool &found : results.found)
+      warnings.insert(found.run.warnings.begin(), found.run.warnings.end());
+    for (const std::string &warning : warnings)
+      out << "Warning: " << warning << "\n";
     out << "Profiles, their scenes and all runs are in " << parameters.directory
         << "\n";
   }

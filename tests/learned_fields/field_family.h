@@ -95,6 +95,15 @@ namespace asperity
         add(a, b, true);
     table.write(folder + "/runs.csv");
   }
+
+  /** The same as it is read, in the folder of the running test. */
+  inline FieldData
+  read_family()
+  {
+    const std::string folder = test_folder();
+    write_family(folder);
+    return read_fields(folder);
+  }
 } // namespace asperity
 
 #endif

@@ -15,14 +15,6 @@ using namespace asperity;
 
 namespace
 {
-  FieldData
-  family()
-  {
-    const std::string folder = test_folder();
-    write_family(folder);
-    return read_fields(folder);
-  }
-
   FieldModel
   train(const FieldData &data, const unsigned int n_codes)
   {
@@ -37,7 +29,7 @@ namespace
   const FieldModel &
   model_of_family()
   {
-    static const FieldModel model = train(family(), 5);
+    static const FieldModel model = train(read_family(), 5);
     return model;
   }
 
@@ -88,7 +80,7 @@ TEST(ReadFields, refuses_folders_without_runs_or_fields)
 // singular values say.
 TEST(PodDecoder, reconstructs_fields_of_its_rank)
 {
-  const FieldData data = family();
+  const FieldData data = read_family();
   DecoderOptions  options;
   options.name                 = "pod";
   options.n_codes              = 5;
@@ -116,7 +108,7 @@ TEST(PodDecoder, reconstructs_fields_of_its_rank)
 
 TEST(FieldModel, finds_mu_and_fields_between_its_runs)
 {
-  const FieldData   data  = family();
+  const FieldData   data  = read_family();
   const FieldModel &model = model_of_family();
   for (const FieldRun &run : data.runs)
     {
@@ -144,7 +136,7 @@ TEST(FieldModel, finds_mu_and_fields_between_its_runs)
 // What a decoder leaves out counts in the deviation of mu.
 TEST(FieldModel, knows_more_with_more_codes)
 {
-  const FieldData   data = family();
+  const FieldData   data = read_family();
   const FieldModel  few  = train(data, 1);
   const FieldModel &many = model_of_family();
   EXPECT_LT(errors_on(many, data).rows.back().predicted.mean,
@@ -220,7 +212,7 @@ TEST(FieldModel, refuses_files_that_are_none_of_its_own)
 // square.
 TEST(FieldErrors, of_what_vanishes_are_over_what_other_runs_have)
 {
-  FieldData    data   = family();
+  FieldData    data   = read_family();
   const double p1     = p_low + 0.22 * (p_high - p_low),
                p2     = p_low + 0.61 * (p_high - p_low);
   const std::size_t f = data.layout.about().find(field_names::contact_pressure);

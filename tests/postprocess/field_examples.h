@@ -5,27 +5,32 @@
 
 namespace asperity
 {
-  /** Two square cells of edge 1 beside each other with one Gauss point each, in
-   *  balance under a traction of (3, -7) and a further force of (0, 1); the
-   *  second snapshot has twice these values. */
+  /** Two square cells of edge 1 beside each other with one Gauss point each. */
+  inline FieldPlaces
+  places_of_two_cells()
+  {
+    FieldPlaces places;
+    places.period = 2.;
+    for (const double x : {0., 1.})
+      {
+        for (const double y : {0., 1.})
+          for (const double dx : {0., 1.})
+            places.nodes.insert(places.nodes.end(), {x + dx, y, 0.25});
+        places.points.insert(places.points.end(), {x + 0.5, 0.5, 1.});
+        for (const double dx : {0.25, 0.75})
+          places.edge.insert(places.edge.end(), {x + dx, 1., 0.5});
+      }
+    return places;
+  }
+
+  /** On these cells, in balance under a traction of (3, -7) and a further force
+   *  of (0, 1); the second snapshot has twice these values. */
   inline FieldSnapshots
   two_cells()
   {
     namespace names = field_names;
     FieldSnapshots result;
-    result.places.period = 2.;
-    for (const double x : {0., 1.})
-      {
-        for (const double y : {0., 1.})
-          for (const double dx : {0., 1.})
-            result.places.nodes.insert(result.places.nodes.end(),
-                                       {x + dx, y, 0.25});
-        result.places.points.insert(result.places.points.end(),
-                                    {x + 0.5, 0.5, 1.});
-        for (const double dx : {0.25, 0.75})
-          result.places.edge.insert(result.places.edge.end(),
-                                    {x + dx, 1., 0.5});
-      }
+    result.places = places_of_two_cells();
     result.fields = {{names::displacement, PlaceKind::nodes, 2},
                      {names::stress, PlaceKind::points, 4},
                      {names::nominal_stress, PlaceKind::points, 2},

@@ -79,22 +79,6 @@ TEST(GaussianTransmission, is_half_at_the_nesting_index)
   EXPECT_GT(gaussian_transmission(10.), 0.99);
 }
 
-TEST(ShapeOf, a_sine_and_a_profile_of_two_heights)
-{
-  const auto sine =
-    sampled([](const double x) { return std::sin(2. * pi * x); }, 4096);
-  const TextureShape shape = shape_of(normalized(sine));
-  EXPECT_NEAR(shape.skewness, 0., 1e-12);
-  EXPECT_NEAR(shape.kurtosis, 1.5, 1e-12);
-  EXPECT_NEAR(shape.rms_slope, 2. * pi, 1e-5);
-  // one of four places at sqrt(3), the others at -1/sqrt(3)
-  const TextureShape peaks = shape_of(normalized({4., 1., 1., 1.}));
-  EXPECT_NEAR(peaks.skewness,
-              (3. * std::sqrt(3.) - 1. / std::sqrt(3.)) / 4.,
-              1e-14);
-  EXPECT_NEAR(peaks.kurtosis, (9. + 1. / 3.) / 4., 1e-14);
-}
-
 TEST(Normalized, refuses_a_flat_profile)
 {
   EXPECT_EQ(message_of<InputError>(

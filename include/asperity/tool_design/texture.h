@@ -18,15 +18,6 @@ namespace asperity
     std::vector<double> heights;
   };
 
-  /** What a texture looks like, as ISO 4287 says it; of heights over their root
-   *  mean square and lengths over the period. */
-  struct TextureShape
-  {
-    double skewness  = 0.; ///< Rsk
-    double kurtosis  = 0.; ///< Rku
-    double rms_slope = 0.; ///< Rdq times period over Rq
-  };
-
   /**
    * A periodic profile as the tool of a scene has it,
    *
@@ -60,10 +51,6 @@ namespace asperity
    *  or no numbers */
   std::vector<double>
   normalized(std::vector<double> heights);
-
-  /** @param heights as of a ToolTexture */
-  TextureShape
-  shape_of(const std::vector<double> &heights);
 } // namespace asperity
 
 #endif

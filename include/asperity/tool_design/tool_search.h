@@ -73,6 +73,10 @@ namespace asperity
              const std::vector<double> *heights,
              const std::string         &name) const;
 
+    /** All that the values of evaluations depend on besides the scenes. */
+    std::string
+    description(const std::string &method) const;
+
     FoundTool
     search(const std::string &method, const DesignObjective &objective) const;
 

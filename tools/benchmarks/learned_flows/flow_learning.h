@@ -12,11 +12,15 @@
 
 namespace learned_flows
 {
+  using Numbers = std::vector<double>;
+
+  /** a - b */
+  Numbers
+  difference(const Numbers &a, const Numbers &b);
+
   /** Turns a latent code into a solution and back. */
   struct FlowDecoder
   {
-    using Numbers = std::vector<double>;
-
     std::string                             name;
     unsigned int                            n_codes = 0;
     std::function<Numbers(const Numbers &)> decode, encode;
