@@ -261,12 +261,12 @@ namespace asperity
     parameters.choice(
       "Linear solver",
       linear_solver,
-      {{"automatic", DirectSolverKind::automatic},
-       {"cholmod", DirectSolverKind::cholmod},
-       {"umfpack", DirectSolverKind::umfpack},
-       {"klu", DirectSolverKind::klu},
-       {"mumps", DirectSolverKind::mumps},
-       {"krylov", DirectSolverKind::krylov}},
+      {{"automatic", LinearSolverKind::automatic},
+       {"cholmod", LinearSolverKind::cholmod},
+       {"umfpack", LinearSolverKind::umfpack},
+       {"klu", LinearSolverKind::klu},
+       {"mumps", LinearSolverKind::mumps},
+       {"krylov", LinearSolverKind::krylov}},
       "Solver of the tangent: `cholmod`, Cholesky with LU where "
       "the tangent is indefinite, is the fastest direct one on "
       "one rank, `mumps` the one on several; `krylov`, GMRES "

@@ -53,11 +53,11 @@ namespace asperity
     }
 
     bool
-    runs_on_several(const DirectSolverKind kind)
+    runs_on_several(const LinearSolverKind kind)
     {
-      return kind == DirectSolverKind::automatic ||
-             kind == DirectSolverKind::mumps ||
-             kind == DirectSolverKind::krylov;
+      return kind == LinearSolverKind::automatic ||
+             kind == LinearSolverKind::mumps ||
+             kind == LinearSolverKind::krylov;
     }
   } // namespace
 
@@ -74,13 +74,13 @@ namespace asperity
   double
   patch_memory(const double           n_elements,
                const unsigned int     degree,
-               const DirectSolverKind solver)
+               const LinearSolverKind solver)
   {
     // Of a degree of 2 tables take 18 to 22 kB, and the matrices as much.
     const double bandwidth  = std::pow((2. * degree + 1.) / 5., 3);
     const double n_unknowns = 3. * n_elements;
     const double of_solver =
-      solver == DirectSolverKind::krylov ?
+      solver == LinearSolverKind::krylov ?
         n_unknowns * 6e3 * bandwidth :
         2. * sizeof(double) * numbers_in_factor(n_elements, degree);
     return of_solver + n_unknowns * 40e3 * bandwidth;
@@ -94,9 +94,9 @@ namespace asperity
                           const double           n_elements)
   {
     linear_solver_ = parameters.solver.linear_solver;
-    if (linear_solver_ == DirectSolverKind::automatic)
-      linear_solver_ = DirectSolverKind::cholmod;
-    if (linear_solver_ == DirectSolverKind::krylov)
+    if (linear_solver_ == LinearSolverKind::automatic)
+      linear_solver_ = LinearSolverKind::cholmod;
+    if (linear_solver_ == LinearSolverKind::krylov)
       throw InputError("Entry 'Solver/Linear solver': found krylov in two "
                        "dimensions; expected a direct one there, or "
                        "automatic.");
@@ -118,7 +118,7 @@ namespace asperity
   {
     const Ranks           &ranks  = share_.ranks;
     const unsigned int     degree = parameters.mesh.degree;
-    const DirectSolverKind wanted = parameters.solver.linear_solver;
+    const LinearSolverKind wanted = parameters.solver.linear_solver;
     if (ranks.are_several() && !runs_on_several(wanted))
       throw InputError("Entry 'Solver/Linear solver': found one that runs on "
                        "one rank, on " +
@@ -132,24 +132,24 @@ namespace asperity
       parameters.heat_model() == HeatModel::conducting ?
         repeated + ranks.size() * heat_memory(n_elements, degree) :
         repeated;
-    const auto fits = [&](const DirectSolverKind kind) {
+    const auto fits = [&](const LinearSolverKind kind) {
       return available <= 0. ||
              patch_memory(n_elements, degree, kind) + beside <= available;
     };
     linear_solver_ = wanted;
-    if (wanted == DirectSolverKind::automatic)
+    if (wanted == LinearSolverKind::automatic)
       linear_solver_ = n_unknowns >= fewest_unknowns_of_krylov ||
-                           !fits(DirectSolverKind::cholmod) ?
-                         DirectSolverKind::krylov :
-                       ranks.are_several() ? DirectSolverKind::mumps :
-                                             DirectSolverKind::cholmod;
+                           !fits(LinearSolverKind::cholmod) ?
+                         LinearSolverKind::krylov :
+                       ranks.are_several() ? LinearSolverKind::mumps :
+                                             LinearSolverKind::cholmod;
     // The tangent is symmetric but for the shear, that of pockets is.
-    if (linear_solver_ == DirectSolverKind::mumps)
-      linear_solver_ = DirectSolverKind::mumps_symmetric;
+    if (linear_solver_ == LinearSolverKind::mumps)
+      linear_solver_ = LinearSolverKind::mumps_symmetric;
     if (fits(linear_solver_))
       return;
     const std::string remedy =
-      std::string(fits(DirectSolverKind::krylov) ?
+      std::string(fits(LinearSolverKind::krylov) ?
                     "Solver/Linear solver = krylov, " :
                     "") +
       (parameters.mesh.adaptive_levels > 0 ? "a bound by Maximum unknowns, " :
@@ -173,12 +173,12 @@ namespace asperity
   Scene<dim>::suit_solver(const SceneParameters &parameters)
   {
     if (dim == 2 ||
-        parameters.solver.linear_solver != DirectSolverKind::automatic)
+        parameters.solver.linear_solver != LinearSolverKind::automatic)
       return;
     linear_solver_ =
-      n_unknowns() >= fewest_unknowns_of_krylov ? DirectSolverKind::krylov :
-      share_.ranks.are_several() ? DirectSolverKind::mumps_symmetric :
-                                   DirectSolverKind::cholmod;
+      n_unknowns() >= fewest_unknowns_of_krylov ? LinearSolverKind::krylov :
+      share_.ranks.are_several() ? LinearSolverKind::mumps_symmetric :
+                                   LinearSolverKind::cholmod;
   }
 
 
@@ -218,8 +218,8 @@ namespace asperity
       terms.push_back(lubricant.get());
     // The tangent of a film is symmetric in structure only.
     const bool symmetric = n_lubricant_unknowns == 0;
-    if (!symmetric && linear_solver_ == DirectSolverKind::cholmod)
-      linear_solver_ = DirectSolverKind::supernodal_lu;
+    if (!symmetric && linear_solver_ == LinearSolverKind::cholmod)
+      linear_solver_ = LinearSolverKind::supernodal_lu;
     SharedSystem shared;
     shared.ranks           = share_.ranks;
     shared.n_components    = dim;
@@ -277,7 +277,7 @@ namespace asperity
 
 
   template <int dim>
-  DirectSolverKind
+  LinearSolverKind
   Scene<dim>::linear_solver() const
   {
     return linear_solver_;
@@ -319,9 +319,9 @@ namespace asperity
   Scene<2>::rigid_motions() const;
   template std::vector<dealii::Vector<double>>
   Scene<3>::rigid_motions() const;
-  template DirectSolverKind
+  template LinearSolverKind
   Scene<2>::linear_solver() const;
-  template DirectSolverKind
+  template LinearSolverKind
   Scene<3>::linear_solver() const;
   template const CellShare &
   Scene<2>::share() const;

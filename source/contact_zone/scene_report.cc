@@ -108,19 +108,19 @@ namespace asperity
 
 
   std::string
-  name_of_solver(const DirectSolverKind kind)
+  name_of_solver(const LinearSolverKind kind)
   {
     switch (kind)
       {
-        case DirectSolverKind::cholmod:
+        case LinearSolverKind::cholmod:
           return "cholmod";
-        case DirectSolverKind::supernodal_lu:
+        case LinearSolverKind::supernodal_lu:
           return "LU in the order of cholmod";
-        case DirectSolverKind::umfpack:
+        case LinearSolverKind::umfpack:
           return "umfpack";
-        case DirectSolverKind::klu:
+        case LinearSolverKind::klu:
           return "klu";
-        case DirectSolverKind::krylov:
+        case LinearSolverKind::krylov:
           return "krylov";
         default:
           return "mumps";

@@ -175,8 +175,8 @@ namespace asperity
          "not: LU in the same order stands in for cholmod",
          [](const SceneParameters &p) {
            return p.lubrication.model != LubricantModel::reynolds ||
-                  (p.solver.linear_solver != DirectSolverKind::cholmod &&
-                   p.solver.linear_solver != DirectSolverKind::automatic);
+                  (p.solver.linear_solver != LinearSolverKind::cholmod &&
+                   p.solver.linear_solver != LinearSolverKind::automatic);
          }}};
     }
 

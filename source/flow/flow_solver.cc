@@ -10,8 +10,8 @@ namespace asperity
     class DirectFlowSolver : public FlowSolver
     {
     public:
-      explicit DirectFlowSolver(const DirectSolverKind kind)
-        : solver(make_direct_solver(kind))
+      explicit DirectFlowSolver(const LinearSolverKind kind)
+        : solver(make_linear_solver(kind))
       {}
 
       bool
@@ -31,7 +31,7 @@ namespace asperity
       }
 
     private:
-      std::unique_ptr<DirectSolver> solver;
+      std::unique_ptr<LinearSolver> solver;
     };
 
 
@@ -82,7 +82,7 @@ namespace asperity
   std::unique_ptr<FlowSolver>
   make_flow_solver(const FluidSpace      &space,
                    const FlowSolverKind   kind,
-                   const DirectSolverKind direct,
+                   const LinearSolverKind direct,
                    const KrylovOptions   &krylov)
   {
     if (kind == FlowSolverKind::direct)

@@ -22,7 +22,7 @@ namespace asperity
     , share(share)
     , integrals(cells, rows)
     , material(material)
-    , solver(make_direct_solver(DirectSolverKind::cholmod))
+    , solver(make_linear_solver(LinearSolverKind::cholmod))
     , rise_(space.n_functions())
     , rise_at_points_(cells.JxW.size())
     , heat_content(space.n_functions())

@@ -1,6 +1,6 @@
 #include <asperity/lubricant/reynolds_film.h>
-#include <asperity/solvers/direct_solver.h>
 #include <asperity/solvers/finite.h>
+#include <asperity/solvers/linear_solver.h>
 #include <asperity/solvers/newton.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
@@ -30,7 +30,7 @@ namespace asperity
         , pressure_scale(film.typical_pressure(geometry, step))
         , balance_scale(largest_flow())
         , states(film.n_cells())
-        , solver(make_direct_solver(DirectSolverKind::klu))
+        , solver(make_linear_solver(LinearSolverKind::klu))
       {
         dealii::DynamicSparsityPattern couplings(2 * film.n_cells());
         for (unsigned int i = 0; i < film.n_cells(); ++i)
@@ -170,7 +170,7 @@ namespace asperity
       FilmLinearization             linearization;
       dealii::SparsityPattern       pattern;
       dealii::SparseMatrix<double>  matrix;
-      std::unique_ptr<DirectSolver> solver;
+      std::unique_ptr<LinearSolver> solver;
     };
   } // namespace
 

@@ -25,7 +25,7 @@ namespace asperity
                                        const dealii::Mapping<2>    &reference,
                                        const ElasticMeshOptions    &options)
     : dof_handler(dofs)
-    , solver(make_direct_solver(DirectSolverKind::cholmod))
+    , solver(make_linear_solver(LinearSolverKind::cholmod))
   {
     make_constraints(options);
     dealii::DynamicSparsityPattern couplings(dofs.n_dofs());

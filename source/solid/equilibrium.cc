@@ -26,12 +26,12 @@ namespace asperity
   Equilibrium::Equilibrium(const unsigned int                       n_dofs,
                            const std::vector<ForceTerm *>          &terms,
                            const dealii::AffineConstraints<double> &constraints,
-                           const DirectSolverKind                   solver_kind,
+                           const LinearSolverKind                   solver_kind,
                            const SharedSystem                      &shared)
     : shared(shared)
     , terms(terms)
     , constraints(constraints)
-    , solver(make_direct_solver(solver_kind, shared))
+    , solver(make_linear_solver(solver_kind, shared))
     , solver_is_symmetric(is_for_symmetric(solver_kind))
     , unsymmetric(shared.ranks)
     , support(dealii::numbers::invalid_unsigned_int)
@@ -206,6 +206,14 @@ namespace asperity
 
 
 
+  std::string
+  Equilibrium::direction_failure() const
+  {
+    return solver->failure();
+  }
+
+
+
   bool
   Equilibrium::has_tangent() const
   {
@@ -236,9 +244,9 @@ namespace asperity
   Equilibrium::solve_with_fallback(Vector &b)
   {
     if (!fallback)
-      fallback = make_direct_solver(shared.ranks.are_several() ?
-                                      DirectSolverKind::mumps :
-                                      DirectSolverKind::umfpack,
+      fallback = make_linear_solver(shared.ranks.are_several() ?
+                                      LinearSolverKind::mumps :
+                                      LinearSolverKind::umfpack,
                                     shared);
     dealii::SparseMatrix<double> sum(pattern);
     sum.copy_from(matrix);

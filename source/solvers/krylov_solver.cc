@@ -11,6 +11,7 @@
 #include <ml_MultiLevelPreconditioner.h>
 
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "rank_solvers.h"
@@ -37,7 +38,7 @@ namespace asperity
      * since softening and the curvature of the tool make tangents indefinite,
      * and shear makes them unsymmetric.
      */
-    class KrylovSolver : public DirectSolver
+    class KrylovSolver : public LinearSolver
     {
     public:
       explicit KrylovSolver(const SharedSystem &shared)
@@ -52,9 +53,19 @@ namespace asperity
         own_rows = dealii::IndexSet(); // clear() would keep its size
       }
 
+      std::string
+      failure() const override
+      {
+        return has_stalled ? "GMRES did not solve the linear equations in " +
+                               std::to_string(most_iterations) +
+                               " iterations (Solver/Linear solver = krylov)" :
+                             LinearSolver::failure();
+      }
+
       bool
       factorize(const dealii::SparseMatrix<double> &local) override
       {
+        has_stalled = false;
         if (own_rows.size() != local.m())
           distribute(local);
         multigrid.clear();
@@ -103,7 +114,8 @@ namespace asperity
         residual -= b;
         const bool solved =
           shared.ranks.all(residual.l2_norm() <= largest_residual * size);
-        rhs = 0.;
+        has_stalled = !solved;
+        rhs         = 0.;
         for (const auto row : own_rows)
           rhs(row) =
             solved ? double(x(row)) : std::numeric_limits<double>::quiet_NaN();
@@ -205,13 +217,14 @@ namespace asperity
       dealii::TrilinosWrappers::PreconditionAMG    multigrid;
       std::vector<double>                          near_null_space;
       int                                          n_near_null = 0;
+      mutable bool                                 has_stalled = false;
       std::vector<dealii::types::global_dof_index> columns;
     };
   } // namespace
 
 
 
-  std::unique_ptr<DirectSolver>
+  std::unique_ptr<LinearSolver>
   make_krylov_solver(const SharedSystem &shared)
   {
     return std::make_unique<KrylovSolver>(shared);

@@ -28,7 +28,7 @@ namespace asperity
 
 
   bool
-  LowRankUpdate::factorize(const DirectSolver &solver)
+  LowRankUpdate::factorize(const LinearSolver &solver)
   {
     const unsigned int n = vectors.size();
     if (n == 0)

@@ -28,7 +28,7 @@ namespace asperity
      * those of the first rank. P. R. Amestoy, I. S. Duff, J.-Y. L'Excellent,
      * J. Koster, SIAM J. Matrix Anal. Appl. 23 (2001) 15-41.
      */
-    class Mumps : public DirectSolver
+    class Mumps : public LinearSolver
     {
     public:
       Mumps(const bool symmetric, const Ranks &ranks)
@@ -157,7 +157,7 @@ namespace asperity
 
 
 
-  std::unique_ptr<DirectSolver>
+  std::unique_ptr<LinearSolver>
   make_mumps(const bool symmetric, const Ranks &ranks)
   {
     return std::make_unique<Mumps>(symmetric, ranks);

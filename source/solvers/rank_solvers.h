@@ -2,7 +2,7 @@
 #define asperity_source_solvers_rank_solvers_h
 
 #include <asperity/base/mpi_session.h>
-#include <asperity/solvers/direct_solver.h>
+#include <asperity/solvers/linear_solver.h>
 
 namespace asperity
 {
@@ -16,11 +16,11 @@ namespace asperity
   };
 
   /** MUMPS, L D L^T for symmetric matrices and else LU. */
-  std::unique_ptr<DirectSolver>
+  std::unique_ptr<LinearSolver>
   make_mumps(const bool symmetric, const Ranks &ranks);
 
   /** GMRES with smoothed aggregation by ML. */
-  std::unique_ptr<DirectSolver>
+  std::unique_ptr<LinearSolver>
   make_krylov_solver(const SharedSystem &shared);
 } // namespace asperity
 

@@ -69,7 +69,7 @@ namespace example
                                       std::vector<ForceTerm *>{solid.get(),
                                                                contact.get()},
                                       constraints,
-                                      DirectSolverKind::cholmod);
+                                      LinearSolverKind::cholmod);
     }
 
     static std::shared_ptr<const MaterialLaw>

@@ -81,7 +81,7 @@ namespace
         u.size(),
         std::vector<ForceTerm *>{&solid, contact.get(), oil.get()},
         constraints,
-        DirectSolverKind::cholmod);
+        LinearSolverKind::cholmod);
       equilibrium->set_support(2 * space->edge_functions(Edge::bottom)[0] + 1);
       bottom = tabulate_edge(*space,
                              PatchGeometry<2>(),

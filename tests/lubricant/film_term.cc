@@ -1,6 +1,6 @@
 #include <asperity/base/archive.h>
 #include <asperity/lubricant/film_term.h>
-#include <asperity/solvers/direct_solver.h>
+#include <asperity/solvers/linear_solver.h>
 #include <asperity/solvers/newton.h>
 #include <asperity/splines/spline_fit.h>
 
@@ -63,7 +63,7 @@ namespace
       : film(film)
       , stiffness(n_chip_dofs)
       , load(n_chip_dofs)
-      , solver(make_direct_solver(DirectSolverKind::umfpack))
+      , solver(make_linear_solver(LinearSolverKind::umfpack))
     {
       const unsigned int             n = n_chip_dofs + film.n_unknowns();
       dealii::DynamicSparsityPattern couplings(n);
@@ -138,7 +138,7 @@ namespace
     Vector                        stiffness, load;
     dealii::SparsityPattern       pattern;
     Matrix                        matrix;
-    std::unique_ptr<DirectSolver> solver;
+    std::unique_ptr<LinearSolver> solver;
   };
 
   class Film : public testing::Test

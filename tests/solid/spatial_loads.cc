@@ -98,7 +98,7 @@ namespace
       Equilibrium equilibrium(u.size(),
                               std::vector<ForceTerm *>{&solid, &load},
                               constraints,
-                              DirectSolverKind::cholmod);
+                              LinearSolverKind::cholmod);
       EXPECT_TRUE(equilibrium.prescribe(u, target));
       NewtonStatistics        statistics;
       const ConvergenceReport report =

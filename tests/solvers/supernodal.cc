@@ -1,4 +1,4 @@
-#include <asperity/solvers/direct_solver.h>
+#include <asperity/solvers/linear_solver.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
@@ -53,7 +53,7 @@ namespace
   }
 
   double
-  error_of_solution(const DirectSolver &solver, const Matrix &matrix)
+  error_of_solution(const LinearSolver &solver, const Matrix &matrix)
   {
     Vector exact(matrix.m()), rhs(matrix.m());
     for (unsigned int i = 0; i < exact.size(); ++i)
@@ -81,8 +81,8 @@ TEST(Supernodal, solves_definite_systems_of_all_shapes_again_and_again)
       for (const bool symmetric : {true, false})
         {
           const auto solver =
-            make_direct_solver(symmetric ? DirectSolverKind::cholmod :
-                                           DirectSolverKind::supernodal_lu);
+            make_linear_solver(symmetric ? LinearSolverKind::cholmod :
+                                           LinearSolverKind::supernodal_lu);
           for (const double diagonal : {60., 55., 80.})
             {
               fill(matrix, diagonal, symmetric ? 0. : 20.);
@@ -100,7 +100,7 @@ TEST(Cholesky, leaves_what_is_not_definite_to_another_factorisation)
 {
   const auto sparsity = strip(17, 4);
   Matrix     matrix(sparsity);
-  const auto solver = make_direct_solver(DirectSolverKind::cholmod);
+  const auto solver = make_linear_solver(LinearSolverKind::cholmod);
   for (const double change : {-200., 0., -150.})
     {
       fill(matrix, 60.);
@@ -116,7 +116,7 @@ TEST(SupernodalLu, leaves_what_it_cannot_eliminate_to_another_factorisation)
 {
   const auto sparsity = strip(1, 1);
   Matrix     matrix(sparsity);
-  const auto solver = make_direct_solver(DirectSolverKind::supernodal_lu);
+  const auto solver = make_linear_solver(LinearSolverKind::supernodal_lu);
   for (const double pivot : {0., 1e-11, -1e-14})
     {
       matrix.set(0, 0, pivot);
@@ -134,10 +134,10 @@ TEST(Supernodal, reports_matrices_that_are_singular_or_not_finite)
 {
   const auto sparsity = strip(9, 3);
   Matrix     matrix(sparsity);
-  for (const DirectSolverKind kind :
-       {DirectSolverKind::cholmod, DirectSolverKind::supernodal_lu})
+  for (const LinearSolverKind kind :
+       {LinearSolverKind::cholmod, LinearSolverKind::supernodal_lu})
     {
-      const auto solver = make_direct_solver(kind);
+      const auto solver = make_linear_solver(kind);
       for (const double value : {std::numeric_limits<double>::quiet_NaN(),
                                  std::numeric_limits<double>::infinity()})
         {

@@ -1,4 +1,4 @@
-#include <asperity/solvers/direct_solver.h>
+#include <asperity/solvers/linear_solver.h>
 #include <asperity/solvers/unsymmetric_part.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
@@ -56,7 +56,7 @@ namespace
     bool
     solve(Vector &b)
     {
-      const auto solver = make_direct_solver(DirectSolverKind::cholmod);
+      const auto solver = make_linear_solver(LinearSolverKind::cholmod);
       EXPECT_TRUE(solver->factorize(K));
       return part.solve([&](Vector &x) { solver->solve(x); },
                         dealii::AffineConstraints<double>(),

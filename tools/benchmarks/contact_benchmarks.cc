@@ -6,7 +6,7 @@
 
 #include <asperity/base/environment.h>
 #include <asperity/base/mpi_session.h>
-#include <asperity/solvers/direct_solver.h>
+#include <asperity/solvers/linear_solver.h>
 
 #include <contact/contact_examples.h>
 
@@ -42,7 +42,7 @@ namespace
     // Eliminates the prescribed components from the matrix, too.
     problem.equilibrium->direction(R, d);
     const auto &matrix = problem.equilibrium->tangent();
-    const auto  solver = make_direct_solver(DirectSolverKind::umfpack);
+    const auto  solver = make_linear_solver(LinearSolverKind::umfpack);
     if (!solver->factorize(matrix))
       return std::nan("");
     dealii::Vector<double> high(R.size()), low(R.size()), product(R.size());

@@ -139,7 +139,7 @@ namespace asperity
 
     /** The solver of the tangent: that of the parameters, or for `automatic`
      * the one that suits the size. */
-    DirectSolverKind
+    LinearSolverKind
     linear_solver() const;
 
     /** Which rank has which cell. */
@@ -246,7 +246,7 @@ namespace asperity
 
     CellShare        share_;
     double           imbalance_     = 1.;
-    DirectSolverKind linear_solver_ = DirectSolverKind::cholmod;
+    LinearSolverKind linear_solver_ = LinearSolverKind::cholmod;
 
     dealii::Vector<double> initial_unknowns_;
 
@@ -310,7 +310,7 @@ namespace asperity
   double
   patch_memory(const double           n_elements,
                const unsigned int     degree,
-               const DirectSolverKind solver = DirectSolverKind::cholmod);
+               const LinearSolverKind solver = LinearSolverKind::cholmod);
 
   /** Whether a cell whose upper edge is so deep [m] belongs to the strip of a
    *  level below the contact edge. */

@@ -8,7 +8,7 @@
 #include <asperity/contact_zone/accuracy_parameters.h>
 #include <asperity/contact_zone/heat_parameters.h>
 #include <asperity/contact_zone/lubrication_parameters.h>
-#include <asperity/solvers/direct_solver.h>
+#include <asperity/solvers/linear_solver.h>
 #include <asperity/topography/topography_parameters.h>
 
 #include <memory>
@@ -275,7 +275,7 @@ namespace asperity
     double           tolerance          = 1e-4; ///< of p L (p L W of a patch)
     unsigned int     maximum_iterations = 20;
     unsigned int     maximum_cuts       = 8;
-    DirectSolverKind linear_solver      = DirectSolverKind::automatic;
+    LinearSolverKind linear_solver      = LinearSolverKind::automatic;
 
     void
     declare(ParameterDeclarator &parameters);

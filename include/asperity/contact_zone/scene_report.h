@@ -26,7 +26,7 @@ namespace asperity
 
   /** The solver of the tangent, as the parameters name it. */
   std::string
-  name_of_solver(const DirectSolverKind kind);
+  name_of_solver(const LinearSolverKind kind);
 
   /** The solver and the ranks of a scene in three dimensions; nothing in two.
    */

@@ -26,7 +26,7 @@ namespace asperity
     double load_floor = 0.;
 
     unsigned int     maximum_iterations = 25;
-    DirectSolverKind solver             = DirectSolverKind::umfpack;
+    LinearSolverKind solver             = LinearSolverKind::umfpack;
   };
 
 

@@ -1,7 +1,7 @@
 #ifndef asperity_flow_flow_solver_h
 #define asperity_flow_flow_solver_h
 
-#include <asperity/solvers/direct_solver.h>
+#include <asperity/solvers/linear_solver.h>
 #include <asperity/solvers/saddle_point_krylov.h>
 
 #include <functional>
@@ -45,7 +45,7 @@ namespace asperity
   std::unique_ptr<FlowSolver>
   make_flow_solver(const FluidSpace      &space,
                    const FlowSolverKind   kind,
-                   const DirectSolverKind direct,
+                   const LinearSolverKind direct,
                    const KrylovOptions   &krylov);
 } // namespace asperity
 

@@ -31,7 +31,7 @@ namespace asperity
     unsigned int maximum_newton_iterations = 20;
 
     FlowSolverKind   linear_solver = FlowSolverKind::direct;
-    DirectSolverKind solver        = DirectSolverKind::umfpack; ///< if direct
+    LinearSolverKind solver        = LinearSolverKind::umfpack; ///< if direct
     KrylovOptions    krylov;                                    ///< if krylov
 
     /** Tangents are kept from one solution to the next while each step with

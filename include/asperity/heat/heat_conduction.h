@@ -5,7 +5,7 @@
 #include <asperity/heat/conductance_integrals.h>
 #include <asperity/heat/thermal_properties.h>
 #include <asperity/isogeometric/cell_partition.h>
-#include <asperity/solvers/direct_solver.h>
+#include <asperity/solvers/linear_solver.h>
 #include <asperity/solvers/matrix_entries.h>
 
 #include <deal.II/lac/sparse_matrix.h>
@@ -153,7 +153,7 @@ namespace asperity
     dealii::SparseMatrix<double>  conductance; ///< int Grad N_a K Grad N_b dV
     dealii::SparseMatrix<double>  matrix;
     MatrixEntries                 entries; ///< of capacity and conductance
-    std::unique_ptr<DirectSolver> solver;
+    std::unique_ptr<LinearSolver> solver;
 
     Vector rise_;
     Vector rise_at_points_;

@@ -1,7 +1,7 @@
 #ifndef asperity_mesh_motion_elastic_mesh_update_h
 #define asperity_mesh_motion_elastic_mesh_update_h
 
-#include <asperity/solvers/direct_solver.h>
+#include <asperity/solvers/linear_solver.h>
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/mapping.h>
@@ -90,7 +90,7 @@ namespace asperity
     dealii::AffineConstraints<double> prescribed; ///< by the boundaries
     dealii::SparsityPattern           sparsity;
     dealii::SparseMatrix<double>      matrix;
-    std::unique_ptr<DirectSolver>     solver; ///< of the free displacements
+    std::unique_ptr<LinearSolver>     solver; ///< of the free displacements
   };
 } // namespace asperity
 

@@ -2,7 +2,7 @@
 #define asperity_solid_equilibrium_h
 
 #include <asperity/isogeometric/force_term.h>
-#include <asperity/solvers/direct_solver.h>
+#include <asperity/solvers/linear_solver.h>
 #include <asperity/solvers/low_rank_update.h>
 #include <asperity/solvers/newton.h>
 #include <asperity/solvers/unsymmetric_part.h>
@@ -51,7 +51,7 @@ namespace asperity
     Equilibrium(const unsigned int                       n_dofs,
                 const std::vector<ForceTerm *>          &terms,
                 const dealii::AffineConstraints<double> &constraints,
-                const DirectSolverKind solver = DirectSolverKind::umfpack,
+                const LinearSolverKind solver = LinearSolverKind::umfpack,
                 const SharedSystem    &shared = SharedSystem());
 
     bool
@@ -67,6 +67,9 @@ namespace asperity
               dealii::Vector<double>       &d) override;
 
     /** Of an earlier u only where the sparse factor is all of the tangent. */
+    std::string
+    direction_failure() const override;
+
     bool
     has_tangent() const override;
 
@@ -160,8 +163,8 @@ namespace asperity
     /** Entries of the matrix beside its diagonal that a prescribed row or
      *  column has. */
     std::vector<dealii::SparseMatrix<double>::iterator> eliminated;
-    std::unique_ptr<DirectSolver>                       solver;
-    std::unique_ptr<DirectSolver>                       fallback;
+    std::unique_ptr<LinearSolver>                       solver;
+    std::unique_ptr<LinearSolver>                       fallback;
     bool                                                solver_is_symmetric;
     UnsymmetricPart                                     unsymmetric;
     LowRankUpdate                                       dense_part;

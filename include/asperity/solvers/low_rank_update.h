@@ -1,7 +1,7 @@
 #ifndef asperity_solvers_low_rank_update_h
 #define asperity_solvers_low_rank_update_h
 
-#include <asperity/solvers/direct_solver.h>
+#include <asperity/solvers/linear_solver.h>
 
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/lapack_full_matrix.h>
@@ -36,7 +36,7 @@ namespace asperity
     /** To be called after the terms and after the factorisation of K.
      *  @return false if the sum is singular. */
     bool
-    factorize(const DirectSolver &solver);
+    factorize(const LinearSolver &solver);
 
     /** Replaces K^-1 b, which the solver gave, by the solution of the sum. */
     void

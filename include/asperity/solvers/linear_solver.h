@@ -1,5 +1,5 @@
-#ifndef asperity_solvers_direct_solver_h
-#define asperity_solvers_direct_solver_h
+#ifndef asperity_solvers_linear_solver_h
+#define asperity_solvers_linear_solver_h
 
 #include <asperity/base/ranks.h>
 
@@ -8,23 +8,25 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace asperity
 {
   /**
-   * A sparse direct solver that keeps what depends on the sparsity pattern only
-   * (ordering, symbolic factorisation) from one factorisation to the next.
-   * Tangents may be indefinite; with follower loads they are unsymmetric, too,
-   * which all kinds but those for symmetric matrices can treat.
+   * A sparse solver that keeps what depends on the sparsity pattern only (for a
+   * direct one the ordering and the symbolic factorisation, for `krylov` who
+   * has which rows) from one matrix to the next. Tangents may be indefinite;
+   * with follower loads they are unsymmetric, too, which all kinds but those
+   * for symmetric matrices can treat.
    *
    * On several ranks the matrix is the sum of what each of them has, vectors
    * are the same on all, and the members are collective.
    */
-  class DirectSolver
+  class LinearSolver
   {
   public:
-    virtual ~DirectSolver() = default;
+    virtual ~LinearSolver() = default;
 
     /** To be called when the sparsity pattern has changed. */
     virtual void
@@ -35,12 +37,19 @@ namespace asperity
     factorize(const dealii::SparseMatrix<double> &matrix) = 0;
 
     /** Replaces the right-hand side by the solution of the last factorised
-     *  matrix. */
+     *  matrix; numbers that are not finite if there is none. */
     virtual void
     solve(dealii::Vector<double> &rhs) const = 0;
+
+    /** Why factorize() failed, or what solve() found is not finite. */
+    virtual std::string
+    failure() const
+    {
+      return "the tangent is singular";
+    }
   };
 
-  enum class DirectSolverKind
+  enum class LinearSolverKind
   {
     cholmod, ///< supernodal Cholesky for symmetric matrices, umfpack where
              ///< one is indefinite
@@ -57,10 +66,10 @@ namespace asperity
 
   /** Whether it takes symmetric matrices only. */
   constexpr bool
-  is_for_symmetric(const DirectSolverKind kind)
+  is_for_symmetric(const LinearSolverKind kind)
   {
-    return kind == DirectSolverKind::cholmod ||
-           kind == DirectSolverKind::mumps_symmetric;
+    return kind == LinearSolverKind::cholmod ||
+           kind == LinearSolverKind::mumps_symmetric;
   }
 
   /** What a solver is told of unknowns that several ranks share, or of which
@@ -81,8 +90,8 @@ namespace asperity
 
   /** @throws ComputationError if a kind that runs on one rank only is wanted on
    *    several */
-  std::unique_ptr<DirectSolver>
-  make_direct_solver(const DirectSolverKind kind,
+  std::unique_ptr<LinearSolver>
+  make_linear_solver(const LinearSolverKind kind,
                      const SharedSystem    &shared = SharedSystem());
 } // namespace asperity
 

@@ -1,5 +1,5 @@
 #include <asperity/base/errors.h>
-#include <asperity/solvers/direct_solver.h>
+#include <asperity/solvers/linear_solver.h>
 
 #include <suitesparse/klu.h>
 #include <suitesparse/umfpack.h>
@@ -18,7 +18,7 @@ namespace asperity
 {
   namespace
   {
-    class Umfpack : public DirectSolver
+    class Umfpack : public LinearSolver
     {
     public:
       Umfpack()
@@ -116,7 +116,7 @@ namespace asperity
      * curvature of the contact surface make tangents indefinite now and then.
      */
     template <class Factor>
-    class Supernodal : public DirectSolver
+    class Supernodal : public LinearSolver
     {
     public:
       void
@@ -162,7 +162,7 @@ namespace asperity
       bool    is_factorised = false;
     };
 
-    class Klu : public DirectSolver
+    class Klu : public LinearSolver
     {
     public:
       Klu()
@@ -240,15 +240,15 @@ namespace asperity
 
 
 
-  std::unique_ptr<DirectSolver>
-  make_direct_solver(const DirectSolverKind kind, const SharedSystem &shared)
+  std::unique_ptr<LinearSolver>
+  make_linear_solver(const LinearSolverKind kind, const SharedSystem &shared)
   {
     switch (kind)
       {
-        case DirectSolverKind::mumps:
-        case DirectSolverKind::mumps_symmetric:
+        case LinearSolverKind::mumps:
+        case LinearSolverKind::mumps_symmetric:
           return make_mumps(is_for_symmetric(kind), shared.ranks);
-        case DirectSolverKind::krylov:
+        case LinearSolverKind::krylov:
           return make_krylov_solver(shared);
         default:
           if (shared.ranks.are_several())
@@ -257,13 +257,13 @@ namespace asperity
       }
     switch (kind)
       {
-        case DirectSolverKind::cholmod:
+        case LinearSolverKind::cholmod:
           return std::make_unique<Supernodal<SupernodalCholesky>>();
-        case DirectSolverKind::supernodal_lu:
+        case LinearSolverKind::supernodal_lu:
           return std::make_unique<Supernodal<SupernodalLu>>();
-        case DirectSolverKind::klu:
+        case LinearSolverKind::klu:
           return std::make_unique<Klu>();
-        case DirectSolverKind::umfpack:
+        case LinearSolverKind::umfpack:
           return std::make_unique<Umfpack>();
         default:
           throw ComputationError("A linear solver was asked for that nobody "

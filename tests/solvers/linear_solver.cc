@@ -1,4 +1,5 @@
-#include <asperity/solvers/direct_solver.h>
+#include <asperity/solvers/finite.h>
+#include <asperity/solvers/linear_solver.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
@@ -12,10 +13,10 @@ namespace
   using Vector = dealii::Vector<double>;
   using Matrix = dealii::SparseMatrix<double>;
 
-  const DirectSolverKind kinds[] = {DirectSolverKind::umfpack,
-                                    DirectSolverKind::klu,
-                                    DirectSolverKind::mumps,
-                                    DirectSolverKind::supernodal_lu};
+  const LinearSolverKind kinds[] = {LinearSolverKind::umfpack,
+                                    LinearSolverKind::klu,
+                                    LinearSolverKind::mumps,
+                                    LinearSolverKind::supernodal_lu};
 
   constexpr unsigned int n = 60;
 
@@ -44,7 +45,7 @@ namespace
   }
 
   double
-  error_of_solution(const DirectSolver &solver, const Matrix &matrix)
+  error_of_solution(const LinearSolver &solver, const Matrix &matrix)
   {
     Vector exact(n), rhs(n);
     for (unsigned int i = 0; i < n; ++i)
@@ -58,13 +59,13 @@ namespace
 
 
 
-TEST(DirectSolver, solves_unsymmetric_indefinite_systems_and_refactorizes)
+TEST(LinearSolver, solves_unsymmetric_indefinite_systems_and_refactorizes)
 {
   const auto sparsity = pattern();
   Matrix     matrix(sparsity);
-  for (const DirectSolverKind kind : kinds)
+  for (const LinearSolverKind kind : kinds)
     {
-      const auto solver = make_direct_solver(kind);
+      const auto solver = make_linear_solver(kind);
       for (const double phase : {0., 1., 2.5})
         {
           fill(matrix, phase);
@@ -76,13 +77,13 @@ TEST(DirectSolver, solves_unsymmetric_indefinite_systems_and_refactorizes)
 
 
 
-TEST(DirectSolver, singular_matrices_are_reported_and_do_no_lasting_harm)
+TEST(LinearSolver, singular_matrices_are_reported_and_do_no_lasting_harm)
 {
   const auto sparsity = pattern();
   Matrix     matrix(sparsity);
-  for (const DirectSolverKind kind : kinds)
+  for (const LinearSolverKind kind : kinds)
     {
-      const auto solver = make_direct_solver(kind);
+      const auto solver = make_linear_solver(kind);
       fill(matrix, 0.);
       for (auto entry = matrix.begin(9); entry != matrix.end(9); ++entry)
         entry->value() = 0.;
@@ -95,13 +96,13 @@ TEST(DirectSolver, singular_matrices_are_reported_and_do_no_lasting_harm)
 
 
 
-TEST(DirectSolver, matrices_that_are_not_finite_are_reported)
+TEST(LinearSolver, matrices_that_are_not_finite_are_reported)
 {
   const auto sparsity = pattern();
   Matrix     matrix(sparsity);
-  for (const DirectSolverKind kind : kinds)
+  for (const LinearSolverKind kind : kinds)
     {
-      const auto solver = make_direct_solver(kind);
+      const auto solver = make_linear_solver(kind);
       fill(matrix, 0.);
       matrix.begin(4)->value() = std::nan("");
       EXPECT_FALSE(solver->factorize(matrix));
@@ -110,13 +111,13 @@ TEST(DirectSolver, matrices_that_are_not_finite_are_reported)
 
 
 
-TEST(DirectSolver, follows_a_new_sparsity_pattern_after_reset)
+TEST(LinearSolver, follows_a_new_sparsity_pattern_after_reset)
 {
   const auto sparsity = pattern();
   Matrix     matrix(sparsity);
-  for (const DirectSolverKind kind : kinds)
+  for (const LinearSolverKind kind : kinds)
     {
-      const auto solver = make_direct_solver(kind);
+      const auto solver = make_linear_solver(kind);
       fill(matrix, 0.);
       ASSERT_TRUE(solver->factorize(matrix));
       dealii::DynamicSparsityPattern couplings(n);
@@ -136,7 +137,7 @@ TEST(DirectSolver, follows_a_new_sparsity_pattern_after_reset)
 
 
 // Laplace's equation by five points on a square: symmetric and definite.
-TEST(DirectSolver,
+TEST(LinearSolver,
      large_symmetric_systems_are_solved_by_factor_and_by_multigrid)
 {
   constexpr unsigned int         m = 40;
@@ -172,10 +173,10 @@ TEST(DirectSolver,
     return std::vector<Vector>{one};
   };
   for (const auto &[kind, tolerance] :
-       {std::pair(DirectSolverKind::mumps_symmetric, 1e-12),
-        std::pair(DirectSolverKind::krylov, 1.01e-6)})
+       {std::pair(LinearSolverKind::mumps_symmetric, 1e-12),
+        std::pair(LinearSolverKind::krylov, 1.01e-6)})
     {
-      const auto solver = make_direct_solver(kind, shared);
+      const auto solver = make_linear_solver(kind, shared);
       ASSERT_TRUE(solver->factorize(matrix));
       Vector b(m * m);
       for (unsigned int i = 0; i < m * m; ++i)
@@ -186,4 +187,34 @@ TEST(DirectSolver,
       residual -= b;
       EXPECT_LE(residual.l2_norm(), tolerance * b.l2_norm());
     }
+}
+
+
+
+// A shift along a ring moves all of a residual on to the next unknown: GMRES
+// gains nothing until it has seen them all.
+TEST(LinearSolver, krylov_says_that_it_has_not_converged)
+{
+  constexpr unsigned int         m = 2000;
+  dealii::DynamicSparsityPattern couplings(m);
+  for (unsigned int i = 0; i < m; ++i)
+    for (const unsigned int j : {i, (i + 1) % m})
+      couplings.add(i, j);
+  dealii::SparsityPattern sparsity;
+  sparsity.copy_from(couplings);
+  Matrix matrix(sparsity);
+  for (unsigned int i = 0; i < m; ++i)
+    {
+      matrix.set(i, i, 1e-3);
+      matrix.set(i, (i + 1) % m, 1.);
+    }
+  const auto solver = make_linear_solver(LinearSolverKind::krylov);
+  ASSERT_TRUE(solver->factorize(matrix));
+  Vector x(m);
+  x(0) = 1.;
+  solver->solve(x);
+  EXPECT_FALSE(is_finite(x));
+  EXPECT_EQ(solver->failure(),
+            "GMRES did not solve the linear equations in 400 iterations "
+            "(Solver/Linear solver = krylov)");
 }
