@@ -76,15 +76,18 @@ namespace asperity
     }
 
     /** Whether a mesh exists, and has no more unknowns than are allowed. */
+    template <int dim>
     bool
-    is_affordable(const SceneParameters &scene, const Fineness &fineness)
+    is_affordable(const SceneParameters &scene,
+                  const Fineness        &fineness,
+                  const Ranks           &ranks)
     {
       if (!has_mesh(scene, fineness.mesh))
         return false;
       try
         {
-          return Scene<2>(with_fineness(scene, fineness)).n_unknowns() <=
-                 scene.accuracy.maximum_unknowns;
+          return Scene<dim>(with_fineness(scene, fineness), ranks)
+                   .n_unknowns() <= scene.accuracy.maximum_unknowns;
         }
       catch (const InputError &)
         {
@@ -121,15 +124,17 @@ namespace asperity
 
 
     /** The run at other settings of the scene. */
-    std::unique_ptr<SceneRun<2>>
+    template <int dim>
+    std::unique_ptr<SceneRun<dim>>
     at_settings(const std::string     &file,
                 const SceneParameters &scene,
-                const Fineness        &fineness)
+                const Fineness        &fineness,
+                const Ranks           &ranks)
     {
       EntryValues changes = entries_of(scene, fineness);
       // The run can be repeated by its parameters.prm.
       changes.emplace_back("Accuracy/Control", "estimate");
-      return std::make_unique<SceneRun<2>>(file, changes);
+      return std::make_unique<SceneRun<dim>>(file, changes, ranks);
     }
   } // namespace
 
@@ -178,24 +183,26 @@ namespace asperity
 
 
 
+  template <int dim>
   void
-  run_adaptively(AccurateRun<2>              &run,
+  run_adaptively(AccurateRun<dim>            &run,
                  const std::string           &file,
-                 const OutputFolder          &folder,
+                 const OutputFolder          *folder,
                  ProgressLine                &progress,
+                 const Ranks                 &ranks,
                  const std::function<void()> &finish)
   {
     const SceneParameters scene  = run.scene->parameters();
     const double          wanted = scene.accuracy.error;
-    RunFamily             family = family_of(scene, progress);
+    RunFamily             family = family_of(scene, progress, ranks);
     Fineness              at     = cheapest(scene);
     for (;;)
       {
         AccuracyRound round;
         try
           {
-            run.scene = at_settings(file, scene, at);
-            run.scene->compute(&folder, progress);
+            run.scene = at_settings<dim>(file, scene, at, ranks);
+            run.scene->compute(folder, progress);
             run.accuracy.error.reset();
             finish();
             family.add(at, run.scene->member());
@@ -207,7 +214,8 @@ namespace asperity
         catch (const ComputationError &error)
           {
             // Settings may be too coarse for the steps of a hard scene.
-            if (!(at.mesh < 0 || at.step < 0))
+            if (!(at.mesh < 0 || at.step < 0) ||
+                (ranks.are_several() && !is_shared(error)))
               throw;
             progress.note("no solution at coarser settings than those of " +
                           file + ": " + error.what());
@@ -226,7 +234,7 @@ namespace asperity
           }
         const auto next =
           next_fineness(round, wanted, [&](const Fineness &finer) {
-            return is_affordable(scene, finer);
+            return is_affordable<dim>(scene, finer, ranks);
           });
         if (!next)
           {
@@ -236,4 +244,21 @@ namespace asperity
         at = *next;
       }
   }
+
+
+
+  template void
+  run_adaptively(AccurateRun<2> &,
+                 const std::string &,
+                 const OutputFolder *,
+                 ProgressLine &,
+                 const Ranks &,
+                 const std::function<void()> &);
+  template void
+  run_adaptively(AccurateRun<3> &,
+                 const std::string &,
+                 const OutputFolder *,
+                 ProgressLine &,
+                 const Ranks &,
+                 const std::function<void()> &);
 } // namespace asperity

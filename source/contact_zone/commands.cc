@@ -49,13 +49,12 @@ namespace asperity
             const std::function<void()> &finish)
     {
       const AccuracyParameters accuracy = accurate.scene->parameters().accuracy;
-      if constexpr (dim == 2)
-        if (accuracy.is_adaptive())
-          {
-            run_adaptively(accurate, file, *folder, progress, finish);
-            finish();
-            return;
-          }
+      if (accuracy.is_adaptive())
+        {
+          run_adaptively(accurate, file, folder, progress, ranks, finish);
+          finish();
+          return;
+        }
       accurate.scene->compute(folder, progress);
       // The results are safe before companions run, which may be killed.
       finish();

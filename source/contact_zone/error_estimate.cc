@@ -119,7 +119,7 @@ namespace asperity
       "elements or are not resolved by twice as long ones, for up to five "
       "times; "
       "`adaptive`: runs at finer and finer settings until the corrected mu "
-      "keeps the wanted error, as it did in nine of ten scenes that were "
+      "keeps the wanted error, as it did in nine of ten profiles that were "
       "tried, beginning with half of the Ramp steps, Slide steps and penalty "
       "of the file and, for an Error of 2, 0.7 and 0.2 %, with a quarter, "
       "half and all of its Spans, each round refining what costs least; "

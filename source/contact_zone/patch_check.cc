@@ -110,9 +110,6 @@ namespace asperity
              (fills_gap(lubricant) ? "whose flow is that of a plane" :
                                      "whose film is that of a profile"),
            "Lubrication/Model = pocket, automatic or none");
-    if (p.accuracy.is_adaptive())
-      fail("settings that are chosen by the error of mu",
-           "Accuracy/Control = estimate or off");
     if (p.tool.kind == SurfaceKind::measured && p.tool.topography.length == 0.)
       throw InputError(parameters.where("Tool/Topography/Profile length") +
                        ": found 0 um in three dimensions; expected the length "

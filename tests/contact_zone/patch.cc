@@ -234,8 +234,6 @@ TEST(Patch, says_what_three_dimensions_do_not_have)
   for (const std::string model : {"Reynolds", "Stokes", "Navier-Stokes"})
     expect_said(refusal(section("Lubrication", "Model = " + model)),
                 "found 3 with the lubricant model `" + model + "`, whose f");
-  expect_said(refusal(section("Accuracy", "Control = adaptive")),
-              "found 3 with settings that are chosen by the error of mu");
 }
 
 

@@ -59,9 +59,10 @@ namespace asperity
   is_met(const ErrorEstimate &error, const double wanted);
 
   /** Relative time of a run over that of another that is coarser by this much,
-   *  as measured on the reference scenes. */
+   *  as measured on the reference scenes.
+   *  @param dimension of the scene, 2 or 3 */
   double
-  relative_cost(const Fineness &finer);
+  relative_cost(const Fineness &finer, const unsigned int dimension);
 
   /**
    * The cheapest finer settings of which the last round promises that a

@@ -33,15 +33,19 @@ namespace asperity
    * until mu that is corrected for its errors keeps the wanted one or no finer
    * settings are possible; each becomes a companion of the next.
    * @param file of the scene
-   * @param folder of the results, which each round writes anew
+   * @param folder of the results, which each round writes anew; null on other
+   *   ranks than the first
+   * @param ranks that compute each run together
    * @param finish is called after each round, to write its summary
    * @throws ComputationError if a run at the settings of the file fails
    */
+  template <int dim>
   void
-  run_adaptively(AccurateRun<2>              &run,
+  run_adaptively(AccurateRun<dim>            &run,
                  const std::string           &file,
-                 const OutputFolder          &folder,
+                 const OutputFolder          *folder,
                  ProgressLine                &progress,
+                 const Ranks                 &ranks,
                  const std::function<void()> &finish);
 } // namespace asperity
 
