@@ -13,6 +13,9 @@ Usage: tools/benchmarks/effectivity.py [--asperity PROGRAM] [--to FOLDER]
             cost over that of the best fixed settings: the cheapest of 40, 80
             and 160 spans, 12 + 48 and 24 + 96 steps, default penalty [Pa/m] and
             half of it, whose mu keeps the error
+  fixed     one and the same settings for all scenes: in how many of them mu keeps
+            the wanted error, and the sum of their costs, of the runs in
+            histories/accuracy_members.csv; computes nothing
   remeshing Mesh/Adaptive levels against meshes that are fine along the whole
             edge: mu, unknowns, cost, and what changes of the mesh do to the run
             (--finest 640 is the reference, at 320 spans a fifth of its time)
@@ -57,6 +60,7 @@ from accuracy_scenes import scenes
 ROOT = dry_scene.ROOT
 REFERENCES = os.path.join(os.path.dirname(os.path.abspath(__file__)),
                           "histories", "accuracy_references.csv")
+MEMBERS = os.path.join(os.path.dirname(REFERENCES), "accuracy_members.csv")
 DEFAULT = {"Mesh/Spans": 160, "Mesh/Refinement levels": 3,
            "Mesh/Strip depth": "0.1 um",
            "Protocol/Ramp steps": 24, "Protocol/Slide steps": 96,
@@ -213,6 +217,31 @@ def adaptive(arguments):
               f"{statistics.median(costs):.1f}")
 
 
+def fixed(arguments):
+    with open(REFERENCES, encoding="utf-8") as file:
+        references = {row["scene"]: float(row["mu"])
+                      for row in csv.DictReader(file)}
+    settings = {}
+    with open(MEMBERS, encoding="utf-8") as file:
+        for row in csv.DictReader(line for line in file if line[0] != "#"):
+            if row["moved"] == "0":
+                of = tuple(int(row[name])
+                           for name in ("mesh", "step", "penalty"))
+                settings.setdefault(of, {})[row["scene"]] = row
+    dry_scene.print_head("spans | steps | penalty factor | kept | of | sum of "
+                         "unknowns x Newton iterations")
+    for (mesh, step, penalty), rows in sorted(settings.items()):
+        if len(rows) < len(references):
+            continue
+        kept = sum(abs(float(row["mu"]) / references[scene] - 1.)
+                   <= arguments.error for scene, row in rows.items())
+        cost = sum(int(row["unknowns"]) * int(row["newton_iterations"])
+                   for row in rows.values())
+        print(f"| {round(160 * 2**mesh)} | {math.ceil(24 * 2**step)} + "
+              f"{math.ceil(96 * 2**step)} | {8 * 2.**(penalty - mesh):g} | "
+              f"{kept} | {len(rows)} | {cost:.2e} |")
+
+
 def remeshing(arguments):
     dry_scene.print_head("scene | spans | levels at contacts | mu | off [%] | "
                          "mean unknowns | Newton iterations | unknowns x "
@@ -319,7 +348,7 @@ def chosen(arguments):
 def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
-    tasks = {"estimate": estimate, "adaptive": adaptive,
+    tasks = {"estimate": estimate, "adaptive": adaptive, "fixed": fixed,
              "remeshing": remeshing, "check": check}
     parser.add_argument("task", choices=tasks)
     parser.add_argument("--asperity",
