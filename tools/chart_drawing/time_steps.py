@@ -123,7 +123,8 @@ def draw_window(panel, long_runs):
         if not rows:
             continue
         t, s, x, y = (np.array([row[key] for row in rows]) for key in COLUMNS)
-        panel.plot(1e6 * s, np.abs(x / y), color=colour, label=inertia,
+        ratio = np.divide(x, y, out=np.full_like(x, np.nan), where=y != 0.)
+        panel.plot(1e6 * s, np.abs(ratio), color=colour, label=inertia,
                    lw=1.4 if inertia == "quasi-static" else 0.8)
         if inertia != "quasi-static":
             continue
