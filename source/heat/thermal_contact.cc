@@ -187,16 +187,34 @@ namespace asperity
 
 
 
+    /** Rise of the chip's coefficients by heat at points of the exchange. */
+    template <int dim>
+    struct ChipResponse
+    {
+      const HeatConduction<dim> &chip;
+      const Exchange<dim>       &exchange;
+      unsigned int               n_dofs;
+
+      Vector
+      operator()(const Vector &heat) const
+      {
+        Vector result = exchange.power(heat, n_dofs);
+        chip.respond(result);
+        return result;
+      }
+    };
+
+
+
     /**
      * Heat by point of the exchange that goes over from chip to tool, s y
      * [W/m^(3 - dim)].
-     * @param chip rise of the chip's coefficients by heat at those points
      * @param difference of the temperatures there without exchange
      */
-    template <int dim, class Response>
+    template <int dim>
     Vector
     exchanged_heat(const Exchange<dim>     &exchange,
-                   const Response          &chip,
+                   const ChipResponse<dim> &chip,
                    const ToolResponse<dim> &tool,
                    const Vector            &difference,
                    unsigned int            &iterations)
@@ -260,13 +278,11 @@ namespace asperity
     Vector tool_rise = tool_response.rise(step.tool_flux, remembered);
     tool_rise.add(offset);
 
-    const Exchange<dim> exchange(interface, edge);
-    const auto          respond = [&](const Vector &heat) {
-      Vector result = exchange.power(heat, power.size());
-      chip.respond(result);
-      return result;
-    };
-    Vector difference = chip_rise;
+    const Exchange<dim>     exchange(interface, edge);
+    const ChipResponse<dim> respond{chip,
+                                    exchange,
+                                    static_cast<unsigned int>(power.size())};
+    Vector                  difference = chip_rise;
     difference -= tool_rise;
     const Vector exchanged = exchanged_heat(
       exchange,

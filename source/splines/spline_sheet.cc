@@ -199,8 +199,8 @@ namespace asperity
       for (const Point<2> &point : curve.control_points())
         coefficients.push_back(point[1]);
     return SplineSheet(
-      {knots,
-       KnotVector::uniform_periodic(curve.degree(), n_spans_y, 0., width)},
+      {{knots,
+        KnotVector::uniform_periodic(curve.degree(), n_spans_y, 0., width)}},
       coefficients);
   }
 } // namespace asperity
