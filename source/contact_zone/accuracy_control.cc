@@ -13,7 +13,8 @@ namespace asperity
     /** Factors by which the time of a run grows with twice as many elements
      *  along the edge, time steps, and twice the penalty: those of unknowns and
      *  Newton iterations of R0 (parameter_files/reference_scenes/README.md). A
-     *  patch has twice as many across, too. */
+     *  patch has twice as many across, too: those of hills grow by 4 and 1.3
+     *  (parameter_files/surface_patches/README.md). */
     constexpr double cost_of_mesh = 3.5, cost_of_mesh_of_patch = 5.,
                      cost_of_steps = 1.27, cost_of_penalty = 1.1;
 
